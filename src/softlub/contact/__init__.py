@@ -1,0 +1,1 @@
+"""Contact of rough surfaces: deterministic solvers, Persson's theory, contact laws."""

@@ -1,0 +1,1 @@
+"""Datasets: the one table of variables, and the one reader and writer."""

@@ -1,0 +1,1 @@
+"""The lubricated line contact: problem, solvers, friction, sweeps over load and speed."""

@@ -1,0 +1,1 @@
+"""The soft solid: shapes, materials, finite elements, reduced stiffness."""

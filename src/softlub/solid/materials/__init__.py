@@ -1,0 +1,1 @@
+"""Materials of soft bodies; one material a file."""

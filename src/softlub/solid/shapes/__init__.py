@@ -1,0 +1,1 @@
+"""Shapes of soft bodies; one shape a file."""

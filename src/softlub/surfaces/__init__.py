@@ -1,0 +1,1 @@
+"""Rough surfaces: spectra, synthesis, measured topographies, statistics."""
