@@ -30,7 +30,8 @@ VARIABLES: dict[str, Variable] = {
     "friction_coefficient_couette": Variable("1", "friction coefficient, Couette part of the fluid", "3-36"),
     "friction_coefficient_poiseuille": Variable("1", "friction coefficient, Poiseuille part of the fluid", "3-36"),
     "friction_coefficient_solid": Variable("1", "friction coefficient, solid part", "3-32"),
-    "friction_coefficient_error": Variable("1", "estimated absolute error of the fluid friction coefficient"),
+    "friction_coefficient_error": Variable("1", "estimated absolute error of the friction coefficient"),
+    "friction_coefficient_fluid_error": Variable("1", "estimated absolute error of the fluid part of friction"),
     "shear_strength": Variable("Pa", "shear strength of the real contact", "3-32"),
     "hersey_number": Variable("N/m", "viscosity times speed"),
     # film and contact
@@ -40,6 +41,7 @@ VARIABLES: dict[str, Variable] = {
     "lambda_ratio": Variable("1", "smallest separation over rms roughness"),
     "load_share_solid": Variable("1", "share of the load carried by asperities", "3-18"),
     "real_contact_width": Variable("m", "real contact area per length of the contact, integral of A/A0", "3-32"),
+    "real_contact_width_error": Variable("m", "estimated absolute error of the real contact width"),
     "contact_width": Variable("m", "width over which the total pressure exceeds 1e-3 of its maximum"),
     "contact_area_ratio_max": Variable("1", "largest real over nominal contact area", "3-32"),
     "rupture_position": Variable("m", "where the pressurised film ends"),
@@ -65,5 +67,6 @@ FLAGS: dict[str, int] = {
     "law_extrapolated": 8,
     "domain_truncates": 16,
     "not_attempted": 32,
+    "inaccurate": 64,
 }
 """Bits of the variable `flags` (CF convention: flag_masks and flag_meanings)."""

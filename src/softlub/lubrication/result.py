@@ -41,6 +41,8 @@ class LubricatedContact:
         Largest scaled residual of the last iterate.
     load_error : float
         |∫(p_f + p_s) dx - W| / W.
+    seconds : float
+        CPU time spent on this point alone, NaN where a solver treats its speeds together [s].
     residual_history : tuple of float
         One value an iteration (or every so many, as the solver says).
     solver : str
@@ -64,4 +66,5 @@ class LubricatedContact:
     residual: float
     load_error: float
     solver: str
+    seconds: float = float("nan")
     residual_history: tuple[float, ...] = field(default=(), repr=False)

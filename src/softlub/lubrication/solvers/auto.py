@@ -1,0 +1,71 @@
+"""The default: spectral elements, and finite volumes for the points that those leave unsolved."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from softlub.lubrication.problem import Problem
+from softlub.lubrication.result import LubricatedContact
+from softlub.lubrication.solvers.finite_volume import FiniteVolume
+from softlub.lubrication.solvers.spectral import Spectral
+
+
+@dataclass(frozen=True)
+class Auto:
+    """Spectral elements with finite volumes to fall back on; mass-conserving films go to the latter at once.
+
+    Parameters
+    ----------
+    spectral : Spectral
+    finite_volume : FiniteVolume
+    """
+
+    spectral: Spectral = field(default_factory=Spectral)
+    finite_volume: FiniteVolume = field(default_factory=FiniteVolume)
+
+    def solve(self, problem: Problem, start: LubricatedContact | None = None) -> LubricatedContact:
+        """Solve one point.
+
+        Parameters
+        ----------
+        problem : Problem
+        start : LubricatedContact, optional
+            A solution nearby.
+
+        Returns
+        -------
+        LubricatedContact
+        """
+        if problem.lubricant.cavitation == "mass_conserving":
+            return self.finite_volume.solve(problem, start)
+        contact = self.spectral.solve(problem, start)
+        return contact if contact.converged else self.finite_volume.solve(problem)
+
+    def sweep(self, problem: Problem, speeds: Sequence[float]) -> list[LubricatedContact]:
+        """Solve at every speed, continued along speed.
+
+        Parameters
+        ----------
+        problem : Problem
+        speeds : sequence of float
+            v [m/s], in any order.
+
+        Returns
+        -------
+        list of LubricatedContact
+            In the order of `speeds`.
+        """
+        if problem.lubricant.cavitation == "mass_conserving":
+            return self.finite_volume.sweep(problem, speeds)
+        contacts = self.spectral.sweep(problem, speeds)
+        unsolved = [i for i, contact in enumerate(contacts) if not contact.converged]
+        if unsolved:
+            repairs = self.finite_volume.sweep(problem, [speeds[i] for i in unsolved])
+            for i, repair in zip(unsolved, repairs, strict=True):
+                contacts[i] = repair if repair.converged else contacts[i]
+        return contacts
+
+    def refined(self) -> Auto:
+        """The same on finer grids, whose difference estimates the error."""
+        return Auto(self.spectral.refined(), self.finite_volume.refined())

@@ -1,0 +1,180 @@
+"""A contact swept over loads and speeds, as arrays and as a dataset."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+from softlub.datasets.variables import FLAGS
+from softlub.lubrication.observables import observe
+from softlub.lubrication.problem import Problem
+from softlub.lubrication.result import LubricatedContact
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Arrays = dict[str, np.ndarray]
+
+FIELDS = ("x", "fluid_pressure", "solid_pressure", "separation")
+"""Variables over the nodes of a point's own grid."""
+
+ESTIMATED = ("friction_coefficient_fluid", "separation_min", "real_contact_width")
+"""Observables whose error is estimated."""
+
+FRICTION_ERROR_LIMIT = 1e-3
+"""Estimated absolute error of μ_fluid above which a point is flagged `inaccurate`."""
+SEPARATION_ERROR_LIMIT = 5e-2
+"""Estimated relative error of the smallest separation above which a point is flagged."""
+WIDTH_ERROR_LIMIT = 1e-2
+"""Estimated relative error of the real contact width above which a point is flagged …"""
+NEGLIGIBLE_AREA = 1e-4
+"""… unless its real contact area is nowhere larger than this part of the nominal one."""
+
+
+class Solver(Protocol):
+    """What solves a problem at many speeds."""
+
+    def sweep(self, problem: Problem, speeds: Sequence[float]) -> list[LubricatedContact]:
+        """One result a speed, in the order given."""
+        ...
+
+
+def sweep(
+    problem: Problem,
+    loads: Sequence[float],
+    speeds: Sequence[float],
+    solver: Solver,
+    finer: Solver | None = None,
+    fields: bool = False,
+) -> xr.Dataset:
+    """Solve at every load and speed.
+
+    Parameters
+    ----------
+    problem : Problem
+        Its own load and speed are not used.
+    loads : sequence of float
+        W [N/m].
+    speeds : sequence of float
+        v [m/s]; each load is continued along them.
+    solver : Solver
+    finer : Solver, optional
+        The same solver on a finer grid; its difference is the error estimate of each point.
+    fields : bool
+        Whether pressures and separation over x are kept.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions load, speed and, for fields, node; variables as in `softlub.datasets.variables`.
+    """
+    import xarray as xr
+
+    from softlub.datasets.store import describe
+
+    arrays = sweep_arrays(problem, loads, speeds, solver, finer, fields)
+    return describe(
+        xr.Dataset(
+            {name: (dimensions(name), values) for name, values in arrays.items() if name != "x"},
+            coords={"load": np.asarray(loads), "speed": np.asarray(speeds)}
+            | ({"x": (dimensions("x"), arrays["x"])} if fields else {}),
+        )
+    )
+
+
+def dimensions(name: str) -> tuple[str, ...]:
+    """Trailing dimensions of a variable of the sweep."""
+    return ("load", "speed", "node") if name in FIELDS else ("load", "speed")
+
+
+def sweep_arrays(
+    problem: Problem,
+    loads: Sequence[float],
+    speeds: Sequence[float],
+    solver: Solver,
+    finer: Solver | None = None,
+    fields: bool = False,
+) -> Arrays:
+    """As `sweep`, but bare arrays of shape (loads, speeds) or (loads, speeds, nodes); NaN beyond a point's nodes."""
+    rows = [_sweep_speeds(problem.at(load=load), speeds, solver, finer, fields) for load in loads]
+    return stack(rows)
+
+
+def stack(parts: Sequence[Arrays]) -> Arrays:
+    """Stack like arrays along a new first dimension, fields padded to the longest with NaN."""
+    return {name: _stack_padded([part[name] for part in parts]) for name in parts[0]}
+
+
+def _stack_padded(arrays: Sequence[np.ndarray]) -> np.ndarray:
+    longest = max(array.shape[-1] for array in arrays)
+    if all(array.shape[-1] == longest for array in arrays):
+        return np.stack(arrays)
+    padding = [[(0, 0)] * (array.ndim - 1) + [(0, longest - array.shape[-1])] for array in arrays]
+    return np.stack(
+        [np.pad(array, pad, constant_values=np.nan) for array, pad in zip(arrays, padding, strict=True)]
+    )
+
+
+def _sweep_speeds(
+    problem: Problem, speeds: Sequence[float], solver: Solver, finer: Solver | None, fields: bool
+) -> Arrays:
+    contacts, seconds = _timed_sweep(problem, speeds, solver)
+    arrays = _observables(contacts, problem)
+    arrays["solver_seconds"] = seconds
+    if finer is not None:
+        _estimate_errors(arrays, _observables(finer.sweep(problem, speeds), problem))
+    if fields:
+        arrays.update(_fields(contacts))
+    return arrays
+
+
+def _timed_sweep(
+    problem: Problem, speeds: Sequence[float], solver: Solver
+) -> tuple[list[LubricatedContact], np.ndarray]:
+    """Contacts and the CPU time of each; a solver that keeps no time per point shares out the whole."""
+    began = time.process_time()
+    contacts = solver.sweep(problem, speeds)
+    share = (time.process_time() - began) / len(speeds)
+    seconds = np.array([contact.seconds for contact in contacts])
+    return contacts, np.where(np.isnan(seconds), share, seconds)
+
+
+def _observables(contacts: Sequence[LubricatedContact], problem: Problem) -> Arrays:
+    points = [observe(contact, problem) for contact in contacts]
+    return {name: np.array([point[name] for point in points]) for name in points[0]}
+
+
+def _estimate_errors(arrays: Arrays, finer: Arrays) -> None:
+    """Add the differences to a finer solution, and flag the points where they are large.
+
+    A converged point whose finer copy failed keeps NaN estimates and is flagged too: nothing vouches for it.
+    """
+    difference = {name: np.abs(arrays[name] - finer[name]) for name in ESTIMATED}
+    relative = {name: difference[name] / np.abs(finer[name]) for name in ESTIMATED}
+    negligible_width = finer["contact_area_ratio_max"] < NEGLIGIBLE_AREA
+    trusted = (
+        (difference["friction_coefficient_fluid"] <= FRICTION_ERROR_LIMIT)
+        & (relative["separation_min"] <= SEPARATION_ERROR_LIMIT)
+        & ((relative["real_contact_width"] <= WIDTH_ERROR_LIMIT) | negligible_width)
+    )
+    arrays["friction_coefficient_fluid_error"] = difference["friction_coefficient_fluid"]
+    arrays["separation_min_error"] = relative["separation_min"]
+    arrays["real_contact_width_error"] = difference["real_contact_width"]
+    arrays["flags"] = arrays["flags"] | np.where(arrays["converged"] & ~trusted, FLAGS["inaccurate"], 0)
+
+
+def _fields(contacts: Sequence[LubricatedContact]) -> Arrays:
+    return stack(
+        [
+            {
+                "x": contact.positions,
+                "fluid_pressure": contact.fluid_pressure,
+                "solid_pressure": contact.solid_pressure,
+                "separation": contact.separation,
+            }
+            for contact in contacts
+        ]
+    )

@@ -1,0 +1,114 @@
+"""Panel: one scene, swept over any of its fields, all loads and all speeds, by one solver, in one job."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from softlub.datasets import store
+from softlub.lubrication.sweep import Arrays, dimensions, stack, sweep_arrays
+from softlub.stages import scene as scenes
+from softlub.stages.design import sample_points
+from softlub.stages.scene import Scene
+from softlub.stages.solvers import finer_solver, make_solver
+
+Spec = Mapping[str, Any]
+Variables = dict[str, tuple[tuple[str, ...], np.ndarray]]
+
+
+def run(spec: Spec, inputs: Mapping[str, Sequence[Path]], outputs: Sequence[Path]) -> None:
+    """Solve the panel and write its dataset.
+
+    Parameters
+    ----------
+    spec : mapping
+        Canonical spec of the node: scene, sweeps or sample, load, speed, solver, fields.
+    inputs : mapping
+        None.
+    outputs : sequence of Path
+        The dataset.
+    """
+    dataset = sampled(spec) if spec.get("sample") else gridded(spec)
+    store.write(dataset, outputs[0], {"spec": dict(spec)})
+
+
+def gridded(spec: Spec) -> xr.Dataset:
+    """Scene swept over the product of given values; dimensions: the sweeps, load, speed, node."""
+    sweeps = spec["sweeps"]
+    shape = tuple(len(sweep["values"]) for sweep in sweeps)
+    leading = tuple(sweep["dimension"] for sweep in sweeps)
+    swept = _swept_scenes(spec)
+    curves = stack([_solve(spec, scene, spec["load"]) for scene in swept])
+    variables: Variables = {
+        name: (leading + dimensions(name), values.reshape(shape + values.shape[1:]))
+        for name, values in curves.items()
+    }
+    variables |= {name: (leading, values.reshape(shape)) for name, values in _parameters(swept).items()}
+    labels = {sweep["dimension"]: np.array(sweep["labels"]) for sweep in sweeps}
+    return _dataset(variables, labels | {"load": np.array(spec["load"]), "speed": np.array(spec["speed"])})
+
+
+def sampled(spec: Spec) -> xr.Dataset:
+    """Scenes drawn from ranges; dimensions: sample, speed, node; the drawn values stand beside the results."""
+    points = sample_points(spec["sample"])
+    loads = points.pop("load", None)
+    if loads is None:
+        loads = np.full(spec["sample"]["size"], spec["load"][0])
+    drawn = [_drawn_scene(spec["scene"], points, index) for index in range(len(loads))]
+    curves = stack([_solve(spec, scene, [load]) for scene, load in zip(drawn, loads, strict=True)])
+    variables: Variables = {
+        name: (("sample", *dimensions(name)[1:]), values[:, 0]) for name, values in curves.items()
+    }
+    described = _parameters(drawn) | {path.rpartition(".")[2]: values for path, values in points.items()}
+    variables |= {name: (("sample",), values) for name, values in described.items()}
+    first = spec["sample"]["first"]
+    coordinates = {"sample": np.arange(first, first + len(loads)), "speed": np.array(spec["speed"])}
+    return _dataset(variables, coordinates).assign_coords(load=("sample", loads))
+
+
+def _swept_scenes(spec: Spec) -> list[Scene]:
+    scenes_so_far = [spec["scene"]]
+    for sweep in spec["sweeps"]:
+        pairs = itertools.product(scenes_so_far, sweep["values"])
+        scenes_so_far = [scenes.with_value(scene, sweep["path"], value) for scene, value in pairs]
+    return scenes_so_far
+
+
+def _drawn_scene(scene: Scene, points: Mapping[str, np.ndarray], index: int) -> Scene:
+    for path, values in points.items():
+        scene = scenes.with_value(scene, path, float(values[index]))
+    return scene
+
+
+def _solve(spec: Spec, scene: Scene, loads: Sequence[float]) -> Arrays:
+    return sweep_arrays(
+        scenes.problem(scene, loads[0], spec["speed"][0]),
+        loads,
+        spec["speed"],
+        make_solver(spec["solver"]),
+        finer_solver(spec["solver"]),
+        fields=spec["fields"],
+    )
+
+
+def _parameters(swept: Sequence[Scene]) -> dict[str, np.ndarray]:
+    """What later stages and figures need to know of every curve's scene."""
+    return {
+        "viscosity": np.array([scene["lubricant"]["viscosity"] for scene in swept]),
+        "rms_roughness": np.array([scenes.surface(scene).rms_roughness for scene in swept]),
+        "long_term_modulus": np.array([scenes.material(scene).long_term_modulus for scene in swept]),
+        "plane_strain_modulus": np.array([scenes.material(scene).plane_strain_modulus for scene in swept]),
+        "radius": np.array([scene["body"]["shape"]["radius"] for scene in swept]),
+    }
+
+
+def _dataset(variables: Variables, coordinates: dict[str, np.ndarray]) -> xr.Dataset:
+    fields = {"x": variables.pop("x")} if "x" in variables else {}
+    # A swept parameter is its own coordinate already.
+    own = {name: value for name, value in variables.items() if name not in coordinates}
+    return store.describe(xr.Dataset(own, coords=coordinates | fields))
