@@ -94,8 +94,8 @@ class HalfSpace:
 class HalfSpaceFFT:
     """Compliance of a parabolic half-space body on an even grid, by fast Fourier transforms.
 
-    The influence of the whole-width volumes depends on i - j alone; that of the two halved end volumes is kept
-    as two columns. The result is that of `HalfSpace` up to round-off, for O(n log n) a product.
+    The influence of the whole-width volumes depends on i - j alone; that of the two halved end volumes is
+    kept as two columns. The result is that of `HalfSpace` up to round-off, for O(n log n) a product.
 
     Parameters
     ----------
