@@ -1,0 +1,119 @@
+"""Where the elements end: graded towards the edges of a Hertz-like contact, or towards the rupture of a thick film.
+
+All in Hertz units. A Hertz-like contact has two edge layers of width d around X = ∓1, in which the pressure turns
+from the inlet's into Hertz's; a thick or rough film has one scale w, the width √(2H) of the parabola.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from softlub.lubrication.solvers.spectral.basis import FloatArray
+
+INLET_GROWTH = 5.5
+CONTACT_GROWTH = 3.4
+FILM_GROWTH = 2.2
+
+
+@njit(cache=True)
+def is_hertzian(approach: float, film_min: float, speed_number: float, roughness: float) -> bool:
+    """Whether the contact has distinct edge layers."""
+    return approach <= 0.5 and edge_scale(film_min, speed_number, roughness) <= 0.8
+
+
+@njit(cache=True)
+def edge_scale(film_min: float, speed_number: float, roughness: float) -> float:
+    """Separation that sets the width of the edge layers: the rough one while asperities carry, or the film's."""
+    return max(min(roughness, 5 * film_min), 0.446 * speed_number**0.6)
+
+
+@njit(cache=True)
+def element_breaks(
+    rupture: float, approach: float, film_min: float, speed_number: float, roughness: float, ends: FloatArray
+) -> tuple[FloatArray, int]:
+    """Ends of the elements from the inlet to where the solid pressure has died out.
+
+    Parameters
+    ----------
+    rupture : float
+        b.
+    approach : float
+        H_c.
+    film_min : float
+        Smallest separation.
+    speed_number : float
+        λ.
+    roughness : float
+        s_h = h_rms R/a².
+    ends : ndarray, shape (2,)
+        -L, and where the solid pressure has died out (b or less: no outlet elements).
+
+    Returns
+    -------
+    breaks : ndarray
+        Ascending.
+    inlet : int
+        Number of elements up to b.
+    """
+    found = np.empty(400)
+    if is_hertzian(approach, film_min, speed_number, roughness):
+        scale = min(edge_scale(film_min, speed_number, roughness) ** (2 / 3), 0.6)
+        count = _hertzian_inlet(found, rupture, scale, ends[0])
+        outlet, growth = 1 + scale - rupture, INLET_GROWTH
+        if outlet < 0.3 * scale:
+            outlet = scale
+    else:
+        scale = 0.6 * np.sqrt(2 * max(approach, 0.7 * roughness) + 1)
+        count = _film_inlet(found, rupture, scale, ends[0])
+        outlet, growth = scale, FILM_GROWTH
+    found[count] = rupture
+    count += 1
+    inlet = count - 1
+    while found[count - 1] < ends[1]:
+        found[count] = rupture + outlet
+        outlet *= growth
+        count += 1
+    return found[:count].copy(), inlet
+
+
+@njit(cache=True)
+def _film_inlet(found: FloatArray, rupture: float, scale: float, start: float) -> int:
+    """Breaks of a thick film left of the rupture: b - w {1, 2.2, 4.6, 10, …}."""
+    found[0] = start
+    count = 1
+    distance = scale
+    while rupture - distance > start + 0.5 * distance:
+        found[count] = rupture - distance
+        distance *= FILM_GROWTH
+        count += 1
+    found[1:count] = found[1:count][::-1].copy()
+    return count
+
+
+@njit(cache=True)
+def _hertzian_inlet(found: FloatArray, rupture: float, scale: float, start: float) -> int:
+    """Breaks around the entry edge at -1, both ways, and towards the rupture."""
+    found[0] = start
+    count = 1
+    distance = scale
+    while -1 - distance > start + 0.3 * distance:
+        found[count] = -1 - distance
+        distance *= INLET_GROWTH
+        count += 1
+    found[1:count] = found[1:count][::-1].copy()
+    # From both edges inwards until they would cross; the middle stays as one element.
+    left, right = scale, 0.9 * scale
+    if -1 + left < rupture - right and -1 + left > start:
+        middle = 0.5 * (rupture - 1)
+        while -1 + left < middle - 0.15:
+            found[count] = -1 + left
+            left *= CONTACT_GROWTH
+            count += 1
+        first = count
+        while rupture - right > middle + 0.15:
+            found[count] = rupture - right
+            right *= CONTACT_GROWTH
+            count += 1
+        found[first:count] = found[first:count][::-1].copy()
+    return count

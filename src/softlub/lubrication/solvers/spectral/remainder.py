@@ -1,0 +1,76 @@
+"""The film beyond the elements: no pressure there, but the separation that friction's Couette part needs.
+
+Gauss points on a logarithmic map reach from the last element to the end of the domain. They are stretched with the
+elements when the rupture point moves, so a three-point rule makes up for the small difference at the end, where the
+body's deflection is that of a line load at the centroid.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
+from softlub.lubrication.solvers.spectral.equations import Grid, inner
+from softlub.lubrication.solvers.spectral.kernel import log_kernel
+
+END_POINTS = 3
+_END_NODES = np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)])
+_END_WEIGHTS = np.array([5.0, 8.0, 5.0]) / 9.0
+
+
+class Remainder(NamedTuple):
+    """Quadrature beyond the elements of one grid.
+
+    Attributes
+    ----------
+    nodes, weights : ndarray, shape (m,)
+        Y and weights.
+    kernel : ndarray, shape (m, n)
+        Rows of the logarithmic kernel there.
+    """
+
+    nodes: FloatArray
+    weights: FloatArray
+    kernel: FloatArray
+
+
+@njit(cache=True)
+def make_remainder(grid: Grid, half_domain: float, basis: Basis, gauss: FloatArray) -> Remainder:
+    """Points of the log-mapped rule `gauss` (nodes, weights in [-1, 1]; shape (2, m)) up to L."""
+    start = grid.breaks[-1]
+    scale = 0.5 * (start - grid.breaks[-2])
+    length = max(half_domain - start, 0.0)
+    half = 0.5 * np.log1p(length / scale)
+    nodes = np.empty(gauss.shape[1])
+    weights = np.empty(gauss.shape[1])
+    for i in range(nodes.size):
+        growth = np.exp(half * (gauss[0, i] + 1.0))
+        nodes[i] = start + scale * (growth - 1.0)
+        weights[i] = gauss[1, i] * half * scale * growth
+    return Remainder(nodes, weights, log_kernel(nodes, grid.breaks, basis.legendre_weights))
+
+
+@njit(cache=True)
+def end_correction(
+    state: FloatArray,
+    grid: Grid,
+    half_domain: float,
+    positions: FloatArray,
+    weights: FloatArray,
+    gap: FloatArray,
+) -> None:
+    """Fill the rule between the stretched end of the remainder and L (its weights may be negative)."""
+    n = grid.nodes.size
+    stretch = (state[n + 1] + half_domain) / (grid.rupture + half_domain)
+    reached = stretch * (max(half_domain, grid.breaks[-1]) + half_domain) - half_domain
+    total = inner(grid.weights, state[:n])
+    centroid = stretch * (np.sum(grid.weights * grid.nodes * state[:n]) / total + half_domain) - half_domain
+    half = 0.5 * (half_domain - reached)
+    for i in range(END_POINTS):
+        positions[i] = reached + half * (_END_NODES[i] + 1.0)
+        weights[i] = half * _END_WEIGHTS[i]
+        distance = abs(positions[i] - centroid)
+        gap[i] = state[n] + 0.5 * positions[i] ** 2 - stretch * total * np.log(distance) / np.pi
