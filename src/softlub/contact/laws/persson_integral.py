@@ -20,6 +20,7 @@ geometrically, where a rule in q meets an essential singularity at q_L.
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -35,12 +36,12 @@ PANEL_POINTS = 12
 """Gauss points of a panel; 16 change ln p by less than 1e-7."""
 LEAST_WEIGHT = 44.0
 """Panels reach this far below the bulk in ln m: what is left out weighs e⁻²²."""
-SAMPLES = 601
-"""Pressures at which the integral is evaluated."""
+SAMPLE_SPACING = 0.06
+"""Distance of the pressures at which the integral is evaluated, in ln p at light loads."""
 LARGEST_ARGUMENT = 6.0
 """w(q_s) p/E* of the largest pressure; the separation beyond it, e⁻³⁶ h_rms, counts as zero."""
-SMALLEST_ARGUMENT = 1e-8
-"""w(q_s) p/E* of the smallest pressure; below it p(u) is an exponential to rounding."""
+SMALLEST_PRESSURE = 1e-10
+"""p/(E* q_L h_rms) of the smallest pressure; the rate of the exponential tail below it is off by as little."""
 
 
 class Modes(NamedTuple):
@@ -134,7 +135,7 @@ def _panels(stops: list[float]) -> tuple[FloatArray, FloatArray]:
     below, end = stops[-2:]
     stops = [*stops[:-1], *(end - depth for depth in (3.0, 1.0) if end - depth > below), end]
     edges = [stops[0]]
-    for start, stop in zip(stops, stops[1:], strict=False):
+    for start, stop in pairwise(stops):
         edges.extend(np.linspace(start, stop, int(np.ceil((stop - start) / PANEL_WIDTH)) + 1)[1:])
     breaks = np.array(edges)
     points, weights = np.polynomial.legendre.leggauss(PANEL_POINTS)
@@ -160,7 +161,9 @@ def scaled_curve(hurst: float, cutoff_ratio: float, plateau_ratio: float, gamma:
     quadrature = modes(hurst, cutoff_ratio, plateau_ratio)
     # The samples are even in ln p at light loads and in p near full contact, where u falls like exp(-p²):
     # argument = ln(1 + e^t).
-    parameter = np.linspace(np.log(np.expm1(SMALLEST_ARGUMENT)), LARGEST_ARGUMENT, SAMPLES)
+    lightest = np.log(np.expm1(SMALLEST_PRESSURE * plateau_ratio * quadrature.softest))
+    samples = int((LARGEST_ARGUMENT - lightest) / SAMPLE_SPACING) + 2
+    parameter = np.linspace(lightest, LARGEST_ARGUMENT, samples)
     argument = np.log1p(np.exp(parameter))
     pressure = argument / quadrature.softest
     ratio = np.outer(pressure, quadrature.stiffness)
