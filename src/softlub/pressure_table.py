@@ -81,32 +81,31 @@ def tabulate(separation: FloatArray, pressure: FloatArray, slope: FloatArray) ->
     return PressureTable(float(log_separation[0]), step, np.ascontiguousarray(coefficients))
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def pressure_and_slope(
     first: float, step: float, coefficients: FloatArray, separation: float
 ) -> tuple[float, float]:
     """Asperity pressure [Pa] and dp/du [Pa/m] at one separation [m], for compiled callers."""
+    # Single entries, never rows: a view of a row costs more than the logarithm and the exponential together.
     intervals = coefficients.shape[0]
     if intervals == 0:
         return 0.0, 0.0
-    lowest = np.exp(first)
-    if separation <= lowest:
-        c = coefficients[0]
-        pressure = np.exp(c[0])
-        slope = pressure * c[1] / step / lowest
+    position = (np.log(separation) - first) / step if separation > 0.0 else -1.0
+    if position <= 0.0:
+        lowest = np.exp(first)
+        pressure = np.exp(coefficients[0, 0])
+        slope = pressure * coefficients[0, 1] / (step * lowest)
         return pressure + slope * (separation - lowest), slope
-    position = (np.log(separation) - first) / step
-    interval = int(position)
-    if interval >= intervals:
-        c = coefficients[intervals - 1]
+    k = intervals - 1 if position >= intervals else int(position)
+    c0, c1, c2, c3 = coefficients[k, 0], coefficients[k, 1], coefficients[k, 2], coefficients[k, 3]
+    if position >= intervals:
         highest = np.exp(first + step * intervals)
-        rate = (c[1] + 2 * c[2] + 3 * c[3]) / step / highest
-        pressure = np.exp(c[0] + c[1] + c[2] + c[3] + rate * (separation - highest))
+        rate = (c1 + 2 * c2 + 3 * c3) / (step * highest)
+        pressure = np.exp(c0 + c1 + c2 + c3 + rate * (separation - highest))
         return pressure, pressure * rate
-    t = position - interval
-    c = coefficients[interval]
-    pressure = np.exp(c[0] + t * (c[1] + t * (c[2] + t * c[3])))
-    return pressure, pressure * (c[1] + t * (2 * c[2] + t * 3 * c[3])) / (step * separation)
+    t = position - k
+    pressure = np.exp(c0 + t * (c1 + t * (c2 + t * c3)))
+    return pressure, pressure * (c1 + t * (2 * c2 + t * 3 * c3)) / (step * separation)
 
 
 @numba.njit(cache=True)
