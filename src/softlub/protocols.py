@@ -23,6 +23,11 @@ class ContactLaw(Protocol):
         """Asperity pressure over mean separation, in the solvers' form."""
         ...
 
+    @property
+    def separation_range(self) -> tuple[float, float]:
+        """Separations between which the law holds [m]; outside, the table goes on so that solvers find their way."""
+        ...
+
     def area_ratio(self, pressure: FloatArray) -> FloatArray:
         """Real over nominal contact area A/A0 at given asperity pressures [Pa]."""
         ...

@@ -98,15 +98,10 @@ def _flags(contact: LubricatedContact, problem: Problem, values: dict[str, float
     raised = {
         "outside_half_space": half_width > PARABOLA_LIMIT * problem.body.radius,
         "percolates": values["contact_area_ratio_max"] > PERCOLATION_AREA,
-        "law_extrapolated": contact.separation_min < _deepest_separation(problem),
+        "law_extrapolated": contact.separation_min < problem.law.separation_range[0],
         "domain_truncates": _pressure_reaches_edge(contact),
     }
     return sum(FLAGS[name] for name, is_raised in raised.items() if is_raised)
-
-
-def _deepest_separation(problem: Problem) -> float:
-    table = problem.law.table
-    return float(np.exp(table.first)) if table.coefficients.shape[0] else 0.0
 
 
 def _pressure_reaches_edge(contact: LubricatedContact) -> bool:

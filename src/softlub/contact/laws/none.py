@@ -18,6 +18,11 @@ class NoContact:
         """A table without intervals."""
         return EMPTY_TABLE
 
+    @property
+    def separation_range(self) -> tuple[float, float]:
+        """Every positive separation [m]."""
+        return 0.0, float("inf")
+
     def area_ratio(self, pressure: FloatArray) -> FloatArray:
         """Zero everywhere."""
         return np.zeros_like(pressure)
