@@ -1,0 +1,71 @@
+"""Figures: one pure function a sort of picture, from a study's dataset to a matplotlib figure.
+
+Every drawing has the one signature ``draw(dataset, **options) -> DataFigure``; none touches pyplot. Matplotlib is
+imported only when a drawing is asked for.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from softlub.figures.panel import DataFigure
+
+
+class Drawing(NamedTuple):
+    """Where a drawing lives and what it shows."""
+
+    module: str
+    shows: str
+
+
+DRAWINGS: dict[str, Drawing] = {
+    name: Drawing(f"softlub.figures.{name}", shows)
+    for name, shows in {
+        "stribeck": "Friction coefficient over Hersey number (viscosity times speed).",
+        "load_share": "Load carried by the fluid and by asperities over Hersey number; the dashed line marks the "
+        "minimum of friction.",
+        "friction_and_separation": "Friction coefficient and smallest separation over Hersey number.",
+        "profiles": "Fluid pressure, asperity pressure and separation along the sliding direction at one speed.",
+        "sweep_comparison": "The same contact by different sweeps: profiles at one speed; sweeps needed, CPU time "
+        "and convergence over speed.",
+        "module_comparison": "The same contact by different modules at one speed, over the Newton solution.",
+        "parameter_study": "Friction coefficient (a) and smallest separation (b) over Hersey number for several "
+        "values of one input.",
+        "regime_map": "Share of the load on asperities over the two numbers that scale the contact, with the "
+        "borders of boundary, mixed and full-film lubrication.",
+        "sensitivity": "Share of the variance that each input explains by itself (first-order index), over speed.",
+        "work_precision": "Error against CPU time.",
+    }.items()
+}
+"""Every drawing a study may name."""
+
+
+def draw(name: str, dataset: xr.Dataset, **options: Any) -> DataFigure:
+    """Draw one picture of a dataset.
+
+    Parameters
+    ----------
+    name : str
+        A key of `DRAWINGS`.
+    dataset : xarray.Dataset
+        Dataset of a study.
+    **options
+        Options of that drawing.
+
+    Returns
+    -------
+    DataFigure
+        A matplotlib figure that also holds the data it shows.
+
+    Raises
+    ------
+    ValueError
+        If there is no drawing of that name.
+    """
+    if name not in DRAWINGS:
+        raise ValueError(f"no drawing is called {name!r}; there are {', '.join(DRAWINGS)}")
+    return import_module(DRAWINGS[name].module).draw(dataset, **options)

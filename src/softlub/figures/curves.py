@@ -1,0 +1,114 @@
+"""The curves of a Stribeck dataset: one a combination of everything but the speed."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from softlub.datasets.variables import FLAGS
+from softlub.figures import style
+from softlub.figures.quantities import FloatArray, quantity
+
+
+class Curve(NamedTuple):
+    """One curve over speed and what tells it from its fellows."""
+
+    label: str
+    data: xr.Dataset
+    position: int
+
+    @property
+    def hersey_number(self) -> FloatArray:
+        """ηv [N/m], shape (speeds,)."""
+        return np.asarray(self.data["hersey_number"].values, dtype=float)
+
+    def values(self, variable: str) -> FloatArray:
+        """A variable over speed, NaN where the point failed, shape (speeds,)."""
+        return np.where(self.data["converged"].values, self.data[variable].values, np.nan)
+
+    @property
+    def failed(self) -> np.ndarray:
+        """Speeds that were attempted and did not converge."""
+        return ~self.data["converged"].values.astype(bool) & attempted(self.data)
+
+
+def attempted(dataset: xr.Dataset) -> np.ndarray:
+    """Which points a solver was asked for at all."""
+    if "flags" not in dataset:
+        return np.ones(dataset["converged"].shape, dtype=bool)
+    return (dataset["flags"].values.astype(int) & FLAGS["not_attempted"]) == 0
+
+
+def curves(dataset: xr.Dataset) -> Iterator[Curve]:
+    """Curves over speed, in the order of the dataset's dimensions.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        With dimension speed; fields over nodes are left aside.
+
+    Yields
+    ------
+    Curve
+        Labelled by those dimensions that have more than one value; the label is empty where there is one curve.
+    """
+    scalars = dataset.drop_dims("node", errors="ignore")
+    dimensions = [str(name) for name in scalars["converged"].dims if name != "speed"]
+    choices = itertools.product(*(range(scalars.sizes[name]) for name in dimensions))
+    for count, choice in enumerate(choices):
+        picked = dict(zip(dimensions, choice, strict=True))
+        label = ", ".join(
+            value_label(scalars, name, position)
+            for name, position in picked.items()
+            if scalars.sizes[name] > 1
+        )
+        yield Curve(label, scalars.isel(picked), count)
+
+
+def value_label(dataset: xr.Dataset, dimension: str, position: int) -> str:
+    """One value of a dimension as a legend shows it: ``"E = 10 MPa"``, ``"BML"``."""
+    if dimension not in dataset.coords:
+        return f"{dimension.replace('_', ' ')} {position}"
+    value = dataset[dimension].values[position]
+    if isinstance(value, str):
+        return style.readable(value)
+    axis = quantity(dimension, unit=dataset[dimension].attrs.get("units"))
+    return f"{_mathematical(axis.label)} = {axis.text(float(value))}"
+
+
+def _mathematical(symbol: str) -> str:
+    name, underscore, index = symbol.partition("_")
+    return rf"${name}_\mathrm{{{index}}}$" if underscore else symbol
+
+
+def nearest_speed(dataset: xr.Dataset, speed: float | None) -> float:
+    """The dataset's speed closest, in its logarithm, to the one wanted; the middle one when none is.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    speed : float or None
+        [m/s].
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    ValueError
+        If the closest speed differs from the wanted one by more than a tenth.
+    """
+    speeds = np.asarray(dataset["speed"].values, dtype=float)
+    if speed is None:
+        return float(speeds[speeds.size // 2])
+    closest = float(speeds[np.argmin(np.abs(np.log(speeds / speed)))])
+    if abs(closest - speed) > 0.1 * speed:
+        raise ValueError(
+            f"the dataset holds no speed near {speed:g} m/s (closest: {closest:g} m/s); add it to the study's grid"
+        )
+    return closest

@@ -1,0 +1,104 @@
+"""Two modules at one speed over the Newton solution (figures 3-13 and 3-14): pressures (a), separation (b)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import xarray as xr
+from matplotlib.lines import Line2D
+
+from softlub.figures import fields, style
+from softlub.figures.curves import nearest_speed
+from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.quantities import quantity
+
+NEWTON_LOOK: dict[str, Any] = {"linestyle": "-", "linewidth": 3.5, "alpha": 0.35, "zorder": 1}
+MODULE_LINES: tuple[Any, ...] = ("--", ":")
+
+
+def draw(
+    dataset: xr.Dataset,
+    speed: float | None = None,
+    solvers: Sequence[str] | None = None,
+    height: float = 3.0,
+) -> DataFigure:
+    """Draw the fields of each module as lines over the Newton solution's broad bands.
+
+    A module that did not converge is drawn by its last iterate, and the figure says so with its residual.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        With dimension solver and fields over nodes; the last iterates of failed points are kept there.
+    speed : float, optional
+        [m/s]; the dataset's closest is taken.
+    solvers : sequence of str, optional
+        First words of the solvers' labels to be drawn, besides the Newton solution; all by default.
+    height : float
+        Of the figure [inch].
+
+    Returns
+    -------
+    DataFigure
+    """
+    speed = nearest_speed(dataset, speed)
+    everyone = [p for p in fields.profiles(dataset, speed, "solver") if p.x.size]
+    newton = [p for p in everyone if style.solver_of(p.solver) in style.NEWTON_SOLVERS][:1]
+    modules = [p for p in everyone if _wanted(p, solvers)]
+    drawn = newton + modules
+    with styled():
+        figure = new_figure(style.PAGE, height)
+        left, right = figure.subplots(1, 2)
+        window = fields.contact_window(newton or drawn)
+        position = quantity("x", max(abs(window[0]), abs(window[1])))
+        film = fields.separation_limit(newton or drawn, window)
+        pressure = Panel(left, position, fields.pressure_axis(newton or drawn), "a")
+        separation = Panel(right, position, quantity("separation", film), "b")
+        for panel in (pressure, separation):
+            panel.letter(panel.name)
+            panel.axes.set_xlim(*position.shown(window))
+        separation.axes.set_ylim(0.0, float(separation.y.shown(film)))
+        separation.axes.set_title(f"v = {style.power(speed)} m/s", loc="right")
+        for profile in newton:
+            _draw(pressure, separation, profile, NEWTON_LOOK)
+        for profile, linestyle in zip(modules, MODULE_LINES * len(modules), strict=False):
+            _draw(pressure, separation, profile, {"linestyle": linestyle, "zorder": 2})
+        _legend(figure, newton, modules)
+        return figure
+
+
+def _wanted(profile: fields.Profile, solvers: Sequence[str] | None) -> bool:
+    name = style.solver_of(profile.solver)
+    return name not in style.NEWTON_SOLVERS and (solvers is None or name in solvers)
+
+
+def _draw(pressure: Panel, separation: Panel, profile: fields.Profile, look: dict[str, Any]) -> None:
+    name = profile.label
+    pressure.line(f"fluid pressure, {name}", profile.x, profile.fluid_pressure, "", color=style.FLUID, **look)
+    pressure.line(
+        f"asperity pressure, {name}", profile.x, profile.solid_pressure, "", color=style.SOLID, **look
+    )
+    separation.line(f"separation, {name}", profile.x, profile.separation, "", color=style.SEPARATION, **look)
+
+
+def state(profile: fields.Profile) -> str:
+    """What became of a module, in words: ``"BML: last iterate, residual 0.03 after 20000 sweeps"``."""
+    if profile.converged:
+        return f"{profile.label}: converged in {profile.iterations:.0f} sweeps"
+    return (
+        f"{profile.label}: NOT CONVERGED, last iterate, residual {profile.residual:.1e} "
+        f"after {profile.iterations:.0f} sweeps"
+    )
+
+
+def _legend(figure: DataFigure, newton: list[fields.Profile], modules: list[fields.Profile]) -> None:
+    handles = [
+        Line2D([], [], color=style.FLUID, label="fluid pressure"),
+        Line2D([], [], color=style.SOLID, label="asperity pressure"),
+        Line2D([], [], color=style.SEPARATION, label="separation"),
+    ]
+    handles += [Line2D([], [], color=style.BLACK, label=p.label, **NEWTON_LOOK) for p in newton]
+    for profile, linestyle in zip(modules, MODULE_LINES * len(modules), strict=False):
+        handles.append(Line2D([], [], color=style.BLACK, linestyle=linestyle, label=state(profile)))
+    figure.legend(handles=handles, loc="outside lower center", ncols=2)

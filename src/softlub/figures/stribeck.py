@@ -1,0 +1,85 @@
+"""Friction coefficient over Hersey number (figure 3-15): one curve a scene, each module's points over Newton's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from softlub.figures import style
+from softlub.figures.curves import Curve, curves
+from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.quantities import quantity
+
+
+def draw(dataset: xr.Dataset, variable: str = "friction_coefficient", height: float = 2.7) -> DataFigure:
+    """Draw one variable over Hersey number.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        With dimension speed; every further dimension gives curves of its own. Along `solver`, Newton solvers are
+        drawn as lines and the source's modules as points over them.
+    variable : str
+        What to draw.
+    height : float
+        Of the figure [inch].
+
+    Returns
+    -------
+    DataFigure
+    """
+    with styled():
+        figure = new_figure(style.COLUMN, height)
+        values = dataset[variable].values
+        panel = Panel(figure.subplots(), quantity("hersey_number"), quantity(variable, values), "a")
+        panel.axes.set_xscale("log")
+        if variable.startswith("separation"):
+            panel.axes.set_yscale("log")
+        draw_curves(panel, dataset, variable)
+        if not variable.startswith("separation"):
+            panel.axes.set_ylim(bottom=min(0.0, panel.axes.get_ylim()[0]))
+        panel.legend()
+        return figure
+
+
+def draw_curves(panel: Panel, dataset: xr.Dataset, variable: str, legend: bool = True) -> None:
+    """Every curve of the dataset into one panel, failed points marked on its lower edge.
+
+    Parameters
+    ----------
+    panel : Panel
+    dataset : xarray.Dataset
+    variable : str
+    legend : bool
+        Whether the curves are named in the panel's legend.
+    """
+    all_curves = list(curves(dataset))
+    rows = {curve.position: row for row, curve in enumerate(c for c in all_curves if c.failed.any())}
+    for curve in all_curves:
+        look = _look(curve)
+        label = curve.label or panel.y.label
+        panel.line(label, curve.hersey_number, curve.values(variable), None if legend else "", **look)
+        panel.mark_failed(curve.hersey_number[curve.failed], look["color"], rows.get(curve.position, 0))
+
+
+def _look(curve: Curve) -> dict[str, Any]:
+    solver = style.solver_of(str(curve.data["solver"].values)) if "solver" in curve.data.coords else ""
+    if solver in style.SOLVER_MARKERS:
+        return {
+            "color": style.SOLVER_COLOURS[solver],
+            "marker": style.SOLVER_MARKERS[solver],
+            "linestyle": "none",
+            "markerfacecolor": "white",
+            "zorder": 3,
+        }
+    if solver in style.NEWTON_SOLVERS:
+        return {"color": style.BLACK, "linestyle": "-"}
+    few = np.isfinite(curve.values("friction_coefficient")).sum() < 25
+    return {
+        "color": style.CYCLE[curve.position % len(style.CYCLE)],
+        "linestyle": style.LINE_STYLES[curve.position % len(style.LINE_STYLES)],
+        "marker": style.MARKERS[curve.position % len(style.MARKERS)] if few else None,
+        "markersize": 2.5,
+    }

@@ -1,0 +1,100 @@
+"""One contact by two sweeps (figure 3-12): profiles at one speed; sweeps, time and residual over speed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.lines import Line2D
+
+from softlub.figures import fields, style
+from softlub.figures.curves import Curve, curves, nearest_speed
+from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.profiles import draw_fields, field_legend, field_panels
+from softlub.figures.quantities import Quantity, quantity
+
+EFFORT = ("iterations", "solver_seconds", "residual")
+COLOURS = (style.BLACK, style.PURPLE, style.ORANGE, style.SKY)
+"""Of the solvers over speed; the three fields of the profiles have taken blue, green and red."""
+FAILED = [
+    Line2D([], [], color=style.BLACK, linestyle="none", marker=style.FAILED_MARKER, label="did not converge")
+]
+
+
+def draw(dataset: xr.Dataset, speed: float | None = None, height: float = 4.6) -> DataFigure:
+    """Draw profiles by each solver (a), and what each needs over speed (b–d); failed points as crosses.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        With dimension solver and fields over nodes.
+    speed : float, optional
+        Of the profiles [m/s].
+    height : float
+        Of the figure [inch].
+
+    Returns
+    -------
+    DataFigure
+    """
+    speed = nearest_speed(dataset, speed)
+    drawn = fields.profiles(dataset, speed, "solver")
+    with styled():
+        figure = new_figure(style.PAGE, height)
+        axes = figure.subplot_mosaic([["a", "b"], ["a", "c"], ["a", "d"]], width_ratios=[1.25, 1])
+        pressure, separation = field_panels(axes["a"], drawn)
+        for index, profile in enumerate(drawn):
+            draw_fields(pressure, separation, profile, index)
+        pressure.letter("a")
+        pressure.axes.set_title(f"v = {style.power(speed)} m/s", loc="right")
+        swept = [curve for curve in curves(dataset) if _is_module(curve)]
+        for letter, variable in zip("bcd", EFFORT, strict=True):
+            panel = Panel(axes[letter], quantity("speed"), _axis(variable, dataset), letter)
+            panel.letter(letter)
+            panel.axes.set_xscale("log")
+            panel.axes.set_yscale("log")
+            for curve in swept:
+                _draw_effort(panel, curve, variable)
+            if variable != EFFORT[-1]:
+                panel.axes.set_xlabel("")
+                panel.axes.tick_params(labelbottom=False)
+        field_legend(figure, drawn, more=[_handle(curve) for curve in swept] + FAILED)
+        return figure
+
+
+def _is_module(curve: Curve) -> bool:
+    return style.solver_of(str(curve.data["solver"].values)) not in style.NEWTON_SOLVERS
+
+
+def _axis(variable: str, dataset: xr.Dataset) -> Quantity:
+    labels = {"iterations": "sweeps", "solver_seconds": "CPU time", "residual": "last residual"}
+    # Seconds on a logarithmic axis need no prefix.
+    return quantity(variable, label=labels[variable])
+
+
+def _draw_effort(panel: Panel, curve: Curve, variable: str) -> None:
+    """A solver's effort at every speed attempted; the points that failed carry a cross instead of a marker."""
+    speed = curve.data["speed"].values
+    effort = np.asarray(curve.data[variable].values, dtype=float)
+    converged = curve.data["converged"].values.astype(bool)
+    look = _look(curve)
+    panel.line(curve.label, speed, np.where(converged, effort, np.nan), "", **look)
+    if curve.failed.any():
+        name = f"{curve.label}, did not converge"
+        failed = np.where(curve.failed, effort, np.nan)
+        crosses = look | {"marker": style.FAILED_MARKER, "markersize": 6}
+        panel.line(name, speed, failed, "", gid="failed", **crosses)
+
+
+def _look(curve: Curve) -> dict[str, Any]:
+    return {
+        "color": COLOURS[curve.position % len(COLOURS)],
+        "marker": style.MARKERS[curve.position % len(style.MARKERS)],
+        "linestyle": style.LINE_STYLES[curve.position % len(style.LINE_STYLES)],
+        "linewidth": 0.8,
+    }
+
+
+def _handle(curve: Curve) -> Line2D:
+    return Line2D([], [], label=curve.label, **_look(curve))
