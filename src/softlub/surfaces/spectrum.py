@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from softlub.units import HurstExponent, Length, Wavevector
 
@@ -63,6 +64,10 @@ class SelfAffine:
     def level(self) -> float:
         """C(q_r) [m⁴], from h_rms² = 2π ∫ C q dq."""
         return self.rms_roughness**2 / (2 * np.pi * self._relative_moment(1))
+
+    def branch(self, wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
+        """C(q) [m⁴] by the plateau's and the self-affine branch's formulas, without the cut-offs (equation 4-5)."""
+        return self.level * np.maximum(np.asarray(wavevector) / self.rolloff, 1.0) ** (-2 - 2 * self.hurst)
 
     def moment(self, power: int) -> float:
         """∫ q^power C(q) dq over the whole spectrum, in closed form [m^(3 - power)]."""
