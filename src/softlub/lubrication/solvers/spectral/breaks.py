@@ -30,7 +30,13 @@ def edge_scale(film_min: float, speed_number: float, roughness: float) -> float:
 
 @njit(cache=True)
 def element_breaks(
-    rupture: float, approach: float, film_min: float, speed_number: float, roughness: float, ends: FloatArray
+    rupture: float,
+    approach: float,
+    film_min: float,
+    speed_number: float,
+    roughness: float,
+    layer: float,
+    ends: FloatArray,
 ) -> tuple[FloatArray, int]:
     """Ends of the elements from the inlet to where the solid pressure has died out.
 
@@ -46,6 +52,8 @@ def element_breaks(
         λ.
     roughness : float
         s_h = h_rms R/a².
+    layer : float
+        Width of the layer before the rupture.
     ends : ndarray, shape (2,)
         -L, and where the solid pressure has died out (b or less: no outlet elements).
 
@@ -59,17 +67,20 @@ def element_breaks(
     found = np.empty(400)
     if is_hertzian(approach, film_min, speed_number, roughness):
         scale = min(edge_scale(film_min, speed_number, roughness) ** (2 / 3), 0.6)
-        count = _hertzian_inlet(found, rupture, scale, ends[0])
-        outlet, growth = 1 + scale - rupture, INLET_GROWTH
-        if outlet < 0.3 * scale:
-            outlet = scale
+        inside = rupture < 1 - scale
+        count = _hertzian_inlet(
+            found, rupture, scale, max(scale, min(layer, 0.6)) if inside else scale, ends[0]
+        )
+        inlet = count - 1
+        if inside:
+            count = _dry_exit(found, count, scale)
+            rupture = 1.0
+        outlet, growth = max(1 + scale - rupture, 0.3 * scale), INLET_GROWTH
     else:
         scale = 0.6 * np.sqrt(2 * max(approach, 0.7 * roughness) + 1)
         count = _film_inlet(found, rupture, scale, ends[0])
+        inlet = count - 1
         outlet, growth = scale, FILM_GROWTH
-    found[count] = rupture
-    count += 1
-    inlet = count - 1
     while found[count - 1] < ends[1]:
         found[count] = rupture + outlet
         outlet *= growth
@@ -88,12 +99,27 @@ def _film_inlet(found: FloatArray, rupture: float, scale: float, start: float) -
         distance *= FILM_GROWTH
         count += 1
     found[1:count] = found[1:count][::-1].copy()
+    found[count] = rupture
+    return count + 1
+
+
+@njit(cache=True)
+def _dry_exit(found: FloatArray, count: int, scale: float) -> int:
+    """Breaks between a rupture inside the contact and the exit edge at 1."""
+    rupture = found[count - 1]
+    first = count
+    distance = 0.9 * scale
+    while 1 - distance > rupture + 0.3 * distance:
+        found[count] = 1 - distance
+        distance *= CONTACT_GROWTH
+        count += 1
+    found[first:count] = found[first:count][::-1].copy()
     return count
 
 
 @njit(cache=True)
-def _hertzian_inlet(found: FloatArray, rupture: float, scale: float, start: float) -> int:
-    """Breaks around the entry edge at -1, both ways, and towards the rupture."""
+def _hertzian_inlet(found: FloatArray, rupture: float, scale: float, layer: float, start: float) -> int:
+    """Breaks around the entry edge at -1, both ways, and towards the rupture, with a layer of given width there."""
     found[0] = start
     count = 1
     distance = scale
@@ -102,18 +128,18 @@ def _hertzian_inlet(found: FloatArray, rupture: float, scale: float, start: floa
         distance *= INLET_GROWTH
         count += 1
     found[1:count] = found[1:count][::-1].copy()
-    # From both edges inwards until they would cross; the middle stays as one element.
-    left, right = scale, 0.9 * scale
-    if -1 + left < rupture - right and -1 + left > start:
-        middle = 0.5 * (rupture - 1)
-        while -1 + left < middle - 0.15:
-            found[count] = -1 + left
-            left *= CONTACT_GROWTH
-            count += 1
-        first = count
-        while rupture - right > middle + 0.15:
-            found[count] = rupture - right
-            right *= CONTACT_GROWTH
-            count += 1
-        found[first:count] = found[first:count][::-1].copy()
-    return count
+    # From both ends inwards until they would cross; the middle stays as one element.
+    left, right = scale, 0.9 * layer
+    middle = 0.5 * (rupture - 1)
+    while -1 + left < middle - 0.15:
+        found[count] = -1 + left
+        left *= CONTACT_GROWTH
+        count += 1
+    first = count
+    while rupture - right > middle + 0.15:
+        found[count] = rupture - right
+        right *= CONTACT_GROWTH
+        count += 1
+    found[first:count] = found[first:count][::-1].copy()
+    found[count] = rupture
+    return count + 1

@@ -21,7 +21,6 @@ import numpy as np
 from numba import njit
 
 from softlub.lubrication.solvers.spectral.basis import FloatArray
-from softlub.lubrication.solvers.spectral.linear import factorise, substitute
 from softlub.pressure_table import pressure_and_slope
 
 

@@ -7,7 +7,14 @@ from numba import njit
 
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
 from softlub.lubrication.solvers.spectral.breaks import element_breaks, is_hertzian
-from softlub.lubrication.solvers.spectral.equations import Grid, Scene, evaluate, make_fields, separation
+from softlub.lubrication.solvers.spectral.equations import (
+    Fields,
+    Grid,
+    Scene,
+    evaluate,
+    make_fields,
+    separation,
+)
 from softlub.lubrication.solvers.spectral.grid import make_grid, transfer
 from softlub.lubrication.solvers.spectral.kernel import log_kernel
 from softlub.lubrication.solvers.spectral.martin import rigid_film
@@ -42,6 +49,21 @@ def predict(
 
 
 @njit(cache=True)
+def open_gap(state: FloatArray, grid: Grid, scene: Scene, fields: Fields, allowed: float) -> None:
+    """Lift the body of a predicted state where the gap would be smaller than allowed."""
+    separation(state, grid, scene.half_domain, grid.nodes, grid.kernel, fields.gap, fields.gap_by_rupture)
+    lowest = np.min(fields.gap)
+    if lowest < allowed:
+        state[-2] += allowed - lowest
+
+
+@njit(cache=True)
+def rupture_layer(fields: Fields, last: int, speed_number: float) -> float:
+    """Length |dp_s/dH| H³/λ over which asperities and flow find their balance before the rupture."""
+    return -fields.solid_slope[last] * fields.gap[last] ** 3 / speed_number
+
+
+@njit(cache=True)
 def outlet_end(state: FloatArray, grid: Grid, scene: Scene, basis: Basis, dead_gap: float) -> float:
     """Where right of the rupture the separation reaches `dead_gap`, at which the solid pressure has died out."""
     rupture = state[-1]
@@ -66,7 +88,13 @@ def martin_start(speed_number: float, scene: Scene, basis: Basis, dead_gap: floa
     film, rupture = rigid_film(speed_number, scene.half_domain)
     end = min(np.sqrt(2 * max(dead_gap - film, 0.0)), scene.half_domain)
     breaks, inlet = element_breaks(
-        rupture, film, film, speed_number, scene.roughness, np.array([-scene.half_domain, max(end, rupture)])
+        rupture,
+        film,
+        film,
+        speed_number,
+        scene.roughness,
+        1.0,
+        np.array([-scene.half_domain, max(end, rupture)]),
     )
     grid = make_grid(breaks, inlet, basis)
     order = basis.nodes.size - 1
@@ -139,6 +167,7 @@ def leg(
                     film_min,
                     speed_number,
                     scene.roughness,
+                    rupture_layer(fields, grid.inlet * (basis.nodes.size - 1), np.exp(logs[0])),
                     np.array([-scene.half_domain, end + state[-1] - states[0, -1]]),
                 )
                 if breaks.size > MAX_ELEMENTS:
@@ -151,6 +180,7 @@ def leg(
                 remainder = make_remainder(grid, scene.half_domain, basis, gauss)
                 state = np.empty(states.shape[1])
                 predict(logs, states, min(known, use), log_speed, state)
+            open_gap(state, grid, scene, fields, 0.2 * film_min)
             steps, residual = newton(
                 state, speed_number, grid, scene, basis.integration, fields, work, tolerance
             )

@@ -1,4 +1,4 @@
-"""Newton's method on the discrete equations, damped where the gap would close, its last factor used again at the end."""
+"""Newton's method, damped where the gap would close; its last factor serves again at the end."""
 
 from __future__ import annotations
 
@@ -20,8 +20,9 @@ from softlub.lubrication.solvers.spectral.equations import (
 )
 from softlub.lubrication.solvers.spectral.linear import factorise, substitute
 
-MAX_STEPS = 14
-# A step may change the gap by this share of itself, and the rupture point by this length (in a).
+MAX_STEPS = 30
+MAX_FACTORS = 12
+# A step may change the gap by this share of itself, and the rupture point by this share of 1 + |b|.
 MAX_GAP_CHANGE = 0.8
 MAX_RUPTURE_CHANGE = 0.3
 # Below this residual the factor at hand is used again as long as each step gains this factor.
@@ -64,10 +65,14 @@ def newton(
     size = state.size
     residual = evaluate(state, speed_number, grid, scene, integration, fields)
     factored = False
+    factors = 0
     for count in range(MAX_STEPS):
         if residual <= tolerance or not np.isfinite(residual):
             return count, residual
         if not factored:
+            factors += 1
+            if factors > MAX_FACTORS:
+                return count, residual
             gap_derivative(state, grid, scene.half_domain, fields, work.derivative)
             jacobian(
                 state,
@@ -86,7 +91,7 @@ def newton(
             work.step[i] = -fields.residual[i] / work.scale[i]
         substitute(work.matrix, work.pivots, work.step)
         before = residual
-        share = _admissible_share(grid, fields, work)
+        share = 1.0 if factored else _admissible_share(state, grid, fields, work)
         for _ in range(8):
             for i in range(size):
                 work.trial[i] = state[i] + share * work.step[i]
@@ -101,17 +106,18 @@ def newton(
             evaluate(state, speed_number, grid, scene, integration, fields)
             return count + 1, before
         state[:] = work.trial
-        factored = share == 1.0 and residual < CHORD_RESIDUAL and residual < max(CHORD_GAIN, 0.0) * before
+        factored = share == 1.0 and residual < CHORD_RESIDUAL and residual < CHORD_GAIN * before
     return MAX_STEPS, residual
 
 
 @njit(cache=True)
-def _admissible_share(grid: Grid, fields: Fields, work: Workspace) -> float:
+def _admissible_share(state: FloatArray, grid: Grid, fields: Fields, work: Workspace) -> float:
     """Share of the step that keeps the changes of the gap and of the rupture point within their limits."""
     share = 1.0
     moved = abs(work.step[work.step.size - 1])
-    if moved > MAX_RUPTURE_CHANGE:
-        share = MAX_RUPTURE_CHANGE / moved
+    allowed = MAX_RUPTURE_CHANGE * (1.0 + abs(state[-1]))
+    if moved > allowed:
+        share = allowed / moved
     for i in range(grid.nodes.size):
         change = abs(inner(work.derivative[i], work.step))
         if change * share > MAX_GAP_CHANGE * fields.gap[i]:
