@@ -1,0 +1,122 @@
+"""The finite volume solver of lubricated line contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from softlub.lubrication.problem import Problem
+from softlub.lubrication.result import LubricatedContact
+from softlub.lubrication.solvers.finite_volume.fields import contact_fields
+from softlub.lubrication.solvers.finite_volume.grid import GRIDS
+from softlub.lubrication.solvers.finite_volume.level import Level, make_level, state_of
+from softlub.lubrication.solvers.finite_volume.march import march, march_refined
+
+COARSEST = 129
+"""Grids of fewer nodes are not used to prepare finer ones."""
+
+
+@dataclass(frozen=True)
+class FiniteVolume:
+    """Monolithic semi-smooth Newton method with continuation in speed.
+
+    Parameters
+    ----------
+    nodes : int
+        Number of nodes n.
+    grid : {"graded", "even"}
+        Where they lie, see `grid`.
+    tolerance : float
+        Largest residual of a converged point, in units of the Hertz pressure.
+    most_steps : int
+        Newton steps after which a continuation step is halved.
+    """
+
+    nodes: int = 257
+    grid: Literal["graded", "even"] = "graded"
+    tolerance: float = 1e-10
+    most_steps: int = 15
+
+    def refined(self) -> FiniteVolume:
+        """The solver on 2n - 1 nodes, against which this one's error is estimated."""
+        return replace(self, nodes=2 * self.nodes - 1)
+
+    def solve(self, problem: Problem, start: LubricatedContact | None = None) -> LubricatedContact:
+        """Solve one point.
+
+        Parameters
+        ----------
+        problem : Problem
+        start : LubricatedContact, optional
+            A solution nearby, of any solver; where it does not lead to the solution the point is solved from cold.
+
+        Returns
+        -------
+        LubricatedContact
+            Flagged as not converged where no way led to the solution.
+        """
+        if start is not None:
+            level = self.level(problem, self.nodes)
+            iterate = level.correct(problem.speed_number, state_of(level, problem, start))
+            if iterate.converged:
+                return contact_fields(problem, level.contact, iterate)
+        return self.sweep(problem, [problem.speed])[0]
+
+    def sweep(self, problem: Problem, speeds: Sequence[float]) -> list[LubricatedContact]:
+        """Solve at every speed, continued along speed.
+
+        Parameters
+        ----------
+        problem : Problem
+            Its own speed is not used.
+        speeds : sequence of float
+            v [m/s], in any order.
+
+        Returns
+        -------
+        list of LubricatedContact
+            In the order of `speeds`.
+
+        Raises
+        ------
+        ValueError
+            If a speed is not positive and finite.
+        """
+        return self.sweep_levels(problem, speeds)[-1]
+
+    def sweep_levels(self, problem: Problem, speeds: Sequence[float]) -> list[list[LubricatedContact]]:
+        """As `sweep`, on each of the nested grids that lead to this one, the coarsest first."""
+        wanted = np.asarray(speeds, dtype=float)
+        if not np.all(np.isfinite(wanted) & (wanted > 0)):
+            raise ValueError(f"speeds must be positive and finite, not {wanted}")
+        unique, place = np.unique(wanted, return_inverse=True)
+        points = [problem.at(speed=float(speed)) for speed in unique]
+        speed_numbers = [point.speed_number for point in points]
+        results = []
+        iterates = None
+        for nodes in self.nested():
+            level = self.level(problem, nodes)
+            if iterates is None:
+                iterates = march(level, speed_numbers)
+            else:
+                iterates = march_refined(level, speed_numbers, iterates)
+            contacts = [
+                contact_fields(point, level.contact, iterate)
+                for point, iterate in zip(points, iterates, strict=True)
+            ]
+            results.append([contacts[k] for k in place])
+        return results
+
+    def nested(self) -> list[int]:
+        """Numbers of nodes n of the grids on the way to this one, each 2n - 1 of the one before."""
+        counts = [self.nodes]
+        while counts[0] % 2 and (counts[0] + 1) // 2 >= COARSEST:
+            counts.insert(0, (counts[0] + 1) // 2)
+        return counts
+
+    def level(self, problem: Problem, nodes: int) -> Level:
+        """The problem on a grid of so many nodes."""
+        return make_level(problem, GRIDS[self.grid], nodes, self.tolerance, self.most_steps)
