@@ -153,15 +153,17 @@ def _estimate_errors(arrays: Arrays, finer: Arrays) -> None:
     A converged point whose finer copy failed keeps NaN estimates and is flagged too: nothing vouches for it.
     """
     difference = {name: np.abs(arrays[name] - finer[name]) for name in ESTIMATED}
-    relative = {name: difference[name] / np.abs(finer[name]) for name in ESTIMATED}
-    negligible_width = finer["contact_area_ratio_max"] < NEGLIGIBLE_AREA
+    # Multiplied out, so that a contact without asperities (0 <= 0) is trusted and NaN is not.
     trusted = (
         (difference["friction_coefficient_fluid"] <= FRICTION_ERROR_LIMIT)
-        & (relative["separation_min"] <= SEPARATION_ERROR_LIMIT)
-        & ((relative["real_contact_width"] <= WIDTH_ERROR_LIMIT) | negligible_width)
+        & (difference["separation_min"] <= SEPARATION_ERROR_LIMIT * finer["separation_min"])
+        & (
+            (difference["real_contact_width"] <= WIDTH_ERROR_LIMIT * finer["real_contact_width"])
+            | (finer["contact_area_ratio_max"] < NEGLIGIBLE_AREA)
+        )
     )
     arrays["friction_coefficient_fluid_error"] = difference["friction_coefficient_fluid"]
-    arrays["separation_min_error"] = relative["separation_min"]
+    arrays["separation_min_error"] = difference["separation_min"] / finer["separation_min"]
     arrays["real_contact_width_error"] = difference["real_contact_width"]
     arrays["flags"] = arrays["flags"] | np.where(arrays["converged"] & ~trusted, FLAGS["inaccurate"], 0)
 

@@ -1,0 +1,47 @@
+# `make reproduce` and `make test` need Python 3.11 or newer, git and make; they set up .venv by themselves.
+
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+BIN := .venv/bin
+SNAKEMAKE = $(BIN)/python workflow/scripts/run_locked.py .venv/snakemake.lock \
+	$(BIN)/python -m snakemake --cores $(CORES) --nolock
+CORES ?= 2
+
+.PHONY: reproduce test smoke benchmarks stress claims report lint clean help
+
+reproduce: .venv/ready ## the source's studies and figures, the claims and the report
+	$(SNAKEMAKE) $(ARGS)
+	$(SNAKEMAKE) --report results/report.html --report-stylesheet workflow/report/report.css
+
+smoke: .venv/ready ## everything at draft accuracy, under results/smoke
+	$(SNAKEMAKE) smoke
+
+benchmarks: .venv/ready ## run time against error of every solver; takes the machine for itself
+	$(SNAKEMAKE) --cores 1 benchmarks
+
+stress: .venv/ready ## tens of thousands of random contacts: what converged and what was flagged
+	$(SNAKEMAKE) stress
+
+claims: .venv/ready ## the source's claims held against the results
+	$(SNAKEMAKE) claims
+
+test: .venv/ready ## the whole test suite
+	$(BIN)/python -m pytest -n 2 tests
+
+lint: .venv/ready ## style and types
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/snakefmt --check Snakefile workflow
+
+clean: ## remove what was computed, keep the environment
+	rm -rf results/[!R]* .snakemake
+
+help: ## this list
+	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/:.*## /\t/' | expand -t 14
+
+.venv/ready: pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+		{ echo "softlub needs Python 3.11 or newer; found $$($(PYTHON) --version). Name one: make PYTHON=/path/to/python3.11"; exit 1; }
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
+	touch $@
