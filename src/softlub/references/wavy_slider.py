@@ -62,7 +62,7 @@ class WavySlider:
         longest = self.neck + self.wavelength
         if not shortest < self.length <= longest:
             raise ValueError(
-                f"length {self.length:g} m must lie above {shortest:g} and at most at {longest:g} m: within the second wedge"
+                f"length {self.length:g} m must lie above {shortest:g} m and not beyond the neck at {longest:g} m"
             )
 
     def separation(self, position: FloatArray | float) -> FloatArray:
