@@ -16,7 +16,7 @@ from softlub.units import Pressure, Unit
 
 KNOT_SPACING = 0.035
 """Largest distance of the table's knots in ln u: ln p within 1e-7 of the integral."""
-DEEPEST_SEPARATION = 1e-4
+DEEPEST_SEPARATION = 1e-5
 """u/h_rms down to which the table follows the integral."""
 HARDENING_DEPTH = 1e-3
 """The table goes on below the deepest separation by this factor."""
@@ -41,9 +41,9 @@ class PerssonLaw:
     Notes
     -----
     The integral holds for every positive separation, and p(u) has an exact exponential tail. The table follows it
-    down to u = 1e-4 h_rms, where the area is full within 1e-3. Below, the pressure goes on as a hyperbola,
-    p = p₁ (1 + n (u₁/u - 1)) with n = -d ln p/d ln u at u₁, so that any load finds a positive separation; the
-    integral's own separation, some exp(-p²), would be below any meaning.
+    down to u = 1e-5 h_rms, less than an atom for any roughness below 10 µm. Below, the pressure goes on as a
+    hyperbola, p = p₁ (1 + n (u₁/u - 1)) with n = -d ln p/d ln u at u₁, so that any load finds a positive separation
+    that is still a number; the integral's own falls like exp(-p²).
     """
 
     spectrum: SelfAffine
