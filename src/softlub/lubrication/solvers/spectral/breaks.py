@@ -13,7 +13,10 @@ from softlub.lubrication.solvers.spectral.basis import FloatArray
 
 INLET_GROWTH = 5.5
 CONTACT_GROWTH = 3.4
+GAP_FACTOR = 3.0
 FILM_GROWTH = 2.2
+# What is left between the breaks from both ends, in units of the element placed last, must be more than this.
+REST_SHARE = 0.6
 
 
 @njit(cache=True)
@@ -25,7 +28,7 @@ def is_hertzian(approach: float, film_min: float, speed_number: float, roughness
 @njit(cache=True)
 def edge_scale(film_min: float, speed_number: float, roughness: float) -> float:
     """Separation that sets the width of the edge layers: the rough one while asperities carry, or the film's."""
-    return max(min(roughness, 5 * film_min), 0.446 * speed_number**0.6)
+    return max(min(roughness, GAP_FACTOR * film_min), 0.446 * speed_number**0.6)
 
 
 @njit(cache=True)
@@ -128,18 +131,27 @@ def _hertzian_inlet(found: FloatArray, rupture: float, scale: float, layer: floa
         distance *= INLET_GROWTH
         count += 1
     found[1:count] = found[1:count][::-1].copy()
-    # From both ends inwards until they would cross; the middle stays as one element.
+    # From both ends inwards, the finer side first, as long as what is left makes an element of its own.
     left, right = scale, 0.9 * layer
-    middle = 0.5 * (rupture - 1)
-    while -1 + left < middle - 0.15:
-        found[count] = -1 + left
-        left *= CONTACT_GROWTH
+    last = found.size
+    low, high = -1.0 - scale, rupture
+    while True:
+        if left <= right:
+            if high + 1 - left < REST_SHARE * (left - 1 - low):
+                break
+            low = left - 1
+            found[count] = low
+            left *= CONTACT_GROWTH
+            count += 1
+        else:
+            if rupture - right - low < REST_SHARE * (high - rupture + right):
+                break
+            high = rupture - right
+            last -= 1
+            found[last] = high
+            right *= CONTACT_GROWTH
+    for k in range(last, found.size):
+        found[count] = found[k]
         count += 1
-    first = count
-    while rupture - right > middle + 0.15:
-        found[count] = rupture - right
-        right *= CONTACT_GROWTH
-        count += 1
-    found[first:count] = found[first:count][::-1].copy()
     found[count] = rupture
     return count + 1
