@@ -70,7 +70,8 @@ def field_panels(left: Axes, drawn: list[fields.Profile]) -> tuple[Panel, Panel]
     pressure.axes.set_xlim(*position.shown(window))
     highest = max(np.nanmax(np.fmax(p.fluid_pressure, p.solid_pressure)) for p in drawn)
     # An amplified pressure may leave the panel; the true ones fill it.
-    pressure.axes.set_ylim(-0.03 * pressure.y.shown(highest), 1.08 * pressure.y.shown(highest))
+    top = float(pressure.y.shown(highest))
+    pressure.axes.set_ylim(-0.03 * top, 1.08 * top)
     separation.axes.set_ylim(0.0, float(separation.y.shown(film)))
     colour_axis(separation, style.SEPARATION)
     return pressure, separation

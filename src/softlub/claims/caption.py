@@ -1,0 +1,166 @@
+"""Captions: what a figure shows, what stands in for what, and whether the source's statements hold for our numbers.
+
+reStructuredText, as Snakemake's report reads it. Nothing in a caption is written beforehand but the description of the
+drawing: values and verdicts are those of the checks.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from softlub.claims.evaluate import Judgement, evaluate
+from softlub.claims.table import Claim
+from softlub.claims.verdict import Word
+from softlub.datasets.variables import FLAGS
+
+HEADINGS: dict[Word, str] = {
+    "reproduced": "Reproduced",
+    "differs": "Differs",
+    "not decidable": "Not decidable",
+    "not computed": "Not computed",
+    "missing": "No check",
+}
+
+
+def studies_of(figure: str, claims: Iterable[Claim]) -> tuple[str, ...]:
+    """Studies whose datasets the caption of a figure reads.
+
+    Parameters
+    ----------
+    figure : str
+    claims : iterable of Claim
+
+    Returns
+    -------
+    tuple of str
+    """
+    return tuple(dict.fromkeys(claim.study for claim in claims if figure in claim.figures and claim.study))
+
+
+def caption(
+    figure: str,
+    shows: str,
+    dataset: xr.Dataset,
+    claims: Sequence[Claim] = (),
+    open_dataset: Callable[[str], xr.Dataset | None] = lambda study: None,
+) -> str:
+    """Caption of one figure.
+
+    Parameters
+    ----------
+    figure : str
+        Its name; the claims that name it are judged.
+    shows : str
+        One sentence on what the drawing shows.
+    dataset : xarray.Dataset
+        What was drawn.
+    claims : sequence of Claim, optional
+    open_dataset : callable, optional
+        Study's name -> dataset or None; see `studies_of`.
+
+    Returns
+    -------
+    str
+        reStructuredText.
+    """
+    about = [claim for claim in claims if figure in claim.figures and claim.kind != "figure"]
+    title = str(dataset.attrs.get("title", "")).rstrip(".")
+    parts = [f"**{escape(title)}.** {escape(shows)}" if title else escape(shows)]
+    parts += [_state_of_points(dataset), _domain(dataset), _stand_ins(dataset)]
+    if about:
+        parts.append("What the source says of it, and our numbers:")
+        parts += [_statement(judgement) for judgement in evaluate(about, open_dataset)]
+    return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def _statement(judgement: Judgement) -> str:
+    claim, ours = judgement.claim, judgement.verdict
+    value = f" {escape(_sentence(ours.value))}" if ours.value else ""
+    reason = f" {escape(_sentence(ours.reason))}" if ours.reason else ""
+    return (
+        f"- {escape(_sentence(claim.what))} **{HEADINGS[ours.verdict]}.**{value}{reason} "
+        f"({escape(claim.id)}, line {claim.line})"
+    )
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:].rstrip(".") + "."
+
+
+def _state_of_points(dataset: xr.Dataset) -> str:
+    """How many of the points asked for converged, by solver where there are several."""
+    if "converged" not in dataset:
+        return ""
+    flags = dataset["flags"] if "flags" in dataset else xr.zeros_like(dataset["converged"], dtype=int)
+    asked = (flags.astype(int) & FLAGS["not_attempted"]) == 0
+    failed = asked & ~dataset["converged"].astype(bool)
+    if not bool(failed.any()):
+        return f"All {int(asked.sum())} points converged."
+    counts = f"{int(failed.sum())} of {int(asked.sum())} points did not converge"
+    if "solver" in dataset.dims:
+        each = [
+            f"{label}: {int(failed.isel(solver=i).sum())} of {int(asked.isel(solver=i).sum())}"
+            for i, label in enumerate(dataset["solver"].values)
+        ]
+        counts += f" ({'; '.join(each)})"
+    return escape(f"{counts}; crosses mark them, and curves have a gap there.")
+
+
+def _domain(dataset: xr.Dataset) -> str:
+    """The domain in force: friction above some 0.1 m/s depends on it."""
+    if "half_domain" not in dataset or "hertz_half_width" not in dataset:
+        return ""
+    reach = np.atleast_1d(dataset["half_domain"].values) * 1e3
+    widths = np.atleast_1d((dataset["half_domain"] / dataset["hertz_half_width"]).values)
+    if not np.isfinite(reach).all():
+        return ""
+    return escape(
+        f"Domain: +-{_range(reach)} mm, {_range(widths)} Hertz half-widths (the source takes +-1 mm). "
+        "It decides friction and film above some 0.1 m/s."
+    )
+
+
+def _range(values: np.ndarray) -> str:
+    low, high = float(values.min()), float(values.max())
+    return f"{low:.3g}" if np.isclose(low, high) else f"{low:.3g} to {high:.3g}"
+
+
+def _stand_ins(dataset: xr.Dataset) -> str:
+    """Inputs that the source does not print."""
+    stored = dataset.attrs.get("stand_ins")
+    entries: Any = json.loads(stored) if isinstance(stored, str) and stored else stored
+    if not entries:
+        return ""
+    pairs = entries.items() if isinstance(entries, dict) else [_stand_in(entry) for entry in entries]
+    listed = "; ".join(f"{name}: {reason}" if name else str(reason) for name, reason in pairs)
+    return f"Stand-ins for what the source does not print: {escape(listed.rstrip('.'))}."
+
+
+def _stand_in(entry: Any) -> tuple[str, str]:
+    if not isinstance(entry, dict):
+        return "", str(entry)
+    name = str(entry.get("name", entry.get("path", "")))
+    return name, str(entry.get("reason", entry.get("value", "")))
+
+
+def escape(text: str) -> str:
+    r"""Text that reStructuredText and Jinja leave as it is.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    str
+        With a backslash before every character that begins markup.
+    """
+    escaped = re.sub(r"([\\*`|])", r"\\\1", text)
+    escaped = re.sub(r"_(?=\W|$)", r"\\_", escaped)
+    return re.sub(r"\{(?=[{%#])", "{ ", escaped)

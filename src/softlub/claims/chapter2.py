@@ -1,0 +1,26 @@
+"""Checks of chapter 2: what the studies of chapter 3 can decide."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from softlub.claims.reading import curve
+from softlub.claims.verdict import Datasets, Verdict, check, judge
+
+BOUNDARY_SHARE = 0.5
+FULL_FILM_SHARE = 1e-3
+"""Load shares of asperities above and below which nobody would doubt the regime."""
+
+
+@check("claim_2_07")
+def film_over_roughness(datasets: Datasets) -> Verdict:
+    """Asperities carry most where lambda < 1 and nothing where lambda > 10."""
+    newton = curve(datasets("ch3-stribeck"))
+    ratio, share = newton["lambda_ratio"].values, newton["load_share_solid"].values
+    at_one, at_ten = (float(np.exp(np.interp(np.log(x), np.log(ratio), np.log(share)))) for x in (1.0, 10.0))
+    return judge(
+        at_one >= BOUNDARY_SHARE and at_ten <= FULL_FILM_SHARE,
+        f"asperity share {at_one:.2g} at lambda = 1, {at_ten:.1g} at lambda = 10",
+        f"reproduced if asperities carry at least {BOUNDARY_SHARE:g} of the load at 1 "
+        f"and at most {FULL_FILM_SHARE:g} at 10",
+    )

@@ -1,0 +1,126 @@
+"""Checks of chapter 3: pressures and separation over x (3.5)."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import xarray as xr
+
+from softlub.claims.reading import at_speed, curve, field, hertz_half_width, law, number, profile_difference
+from softlub.claims.verdict import Datasets, Verdict, check, judge
+
+LOWEST, MIDDLE, HIGHEST = 1e-5, 1.5e-3, 0.12
+"""Speeds of figures 3-9 to 3-11 [m/s]."""
+FIELDS = ("fluid_pressure", "solid_pressure", "separation")
+NEARLY_EQUAL = 0.1
+"""Relative difference up to which profiles count as nearly the same."""
+
+
+@check("claim_3_12")
+def near_reference(datasets: Datasets) -> Verdict:
+    """The stand-in for reference 2 (γ = 0.45) against the exponential law; no data of reference 2 is printed."""
+    dataset = datasets("ch3-profiles")
+    differences = [
+        max(profile_difference(*_both_laws(dataset, speed), name) for name in FIELDS[:2])
+        for speed in (LOWEST, MIDDLE, HIGHEST)
+    ]
+    return Verdict(
+        "pressures differ by " + ", ".join(f"{100 * difference:.2g} %" for difference in differences),
+        "not decidable",
+        "the source prints no data of reference 2; the full integral with gamma = 0.45 stands in for it, "
+        "differences are parts of the peak pressure at 1e-5, 1.5e-3 and 0.12 m/s",
+    )
+
+
+def _both_laws(dataset: xr.Dataset, speed: float) -> tuple[xr.Dataset, xr.Dataset]:
+    full = curve(law(dataset, "persson", 0.45))
+    return at_speed(full, speed), at_speed(curve(law(dataset, "exponential")), speed)
+
+
+@check("claim_3_13")
+def boundary_profile(datasets: Datasets) -> Verdict:
+    """Share and width of the contact at the lowest speed."""
+    dataset = datasets("ch3-profiles")
+    point = at_speed(curve(law(dataset, "persson")), LOWEST)
+    share, width = (
+        number(point, "load_share_solid"),
+        number(point, "contact_width") / (2 * hertz_half_width(point)),
+    )
+    approximate = number(at_speed(curve(law(dataset, "exponential")), LOWEST), "load_share_solid")
+    return judge(
+        share > 0.5 and 1.0 < width < 1.5,
+        f"asperity share {share:.3f}, contact {width:.3f} times as wide as Hertz's",
+        "with the full Persson integral; "
+        f"with the source's own law 3-11 the share is {approximate:.2f}, since that law cannot carry the load at rest",
+    )
+
+
+@check("claim_3_14")
+def fluid_gains(datasets: Datasets) -> Verdict:
+    """The asperity share falls from speed to speed."""
+    profiles = curve(law(datasets("ch3-profiles"), "persson"))
+    shares = [number(at_speed(profiles, v), "load_share_solid") for v in (LOWEST, MIDDLE, HIGHEST)]
+    return judge(
+        all(later < earlier for earlier, later in pairwise(shares)),
+        "asperity shares " + ", ".join(f"{share:.3g}" for share in shares),
+        "at 1e-5, 1.5e-3 and 0.12 m/s",
+    )
+
+
+@check("claim_3_15")
+def law_explains_difference(datasets: Datasets) -> Verdict:
+    """What changes when only the asperity law changes, at the two lower speeds."""
+    dataset = datasets("ch3-profiles")
+    pairs = (_both_laws(dataset, speed) for speed in (LOWEST, MIDDLE))
+    differences = [profile_difference(*pair, "solid_pressure") for pair in pairs]
+    return judge(
+        max(differences) <= NEARLY_EQUAL,
+        "asperity pressures differ by " + ", ".join(f"{100 * part:.2g} %" for part in differences),
+        f"of the peak pressure at 1e-5 and 1.5e-3 m/s (full integral, gamma = 0.45, against law 3-11); "
+        f"small means up to {100 * NEARLY_EQUAL:g} %",
+    )
+
+
+@check("claim_3_16")
+def laws_agree_in_full_film(datasets: Datasets) -> Verdict:
+    """Fluid pressure and separation with either law at the highest speed."""
+    pair = _both_laws(datasets("ch3-profiles"), HIGHEST)
+    differences = [profile_difference(*pair, name) for name in ("fluid_pressure", "separation")]
+    return judge(
+        max(differences) <= 0.01,
+        f"fluid pressures differ by {100 * differences[0]:.2g} %, separations by {100 * differences[1]:.2g} %",
+        "full integral with gamma = 0.45 against law 3-11 at 0.12 m/s; equal means within 1 %",
+    )
+
+
+@check("claim_3_17")
+def amplified_pressure(datasets: Datasets) -> Verdict:
+    """Order of the asperity share at the highest speed, for both values of γ."""
+    dataset = datasets("ch3-profiles")
+    plain, fitted = (
+        number(at_speed(curve(law(dataset, "persson", gamma)), HIGHEST), "load_share_solid")
+        for gamma in (1.0, 0.45)
+    )
+    return judge(
+        1e-6 < fitted < 1e-4,
+        f"asperity share {fitted:.1e} with gamma = 0.45, {plain:.1e} with gamma = 1",
+        "reproduced if the stand-in for reference 2, gamma = 0.45, lies within a decade of 1e-5; "
+        "with gamma = 1 no such factor would be called for",
+    )
+
+
+@check("eq_gumbel")
+def rupture_condition(datasets: Datasets) -> Verdict:
+    """Slope of the fluid pressure where the film ends: zero for Reynolds' condition, steep for Gümbel's."""
+    point = at_speed(curve(law(datasets("ch3-profiles"), "persson")), HIGHEST)
+    x, pressure = field(point, "fluid_pressure")
+    slope = np.gradient(pressure, x)
+    last = int(np.flatnonzero(pressure > 1e-6 * pressure.max())[-1])
+    ratio = float(abs(slope[last]) / np.abs(slope).max())
+    return Verdict(
+        f"slope at the rupture {ratio:.1e} of the steepest",
+        "differs" if ratio < 0.05 else "reproduced",
+        "pressure and slope vanish together: that is Reynolds' (Swift and Stieber's) condition; Gümbel's cuts off "
+        "a solution that has negative pressures and would leave a slope",
+    )
