@@ -149,7 +149,7 @@ def test_flat_punch_deflects_evenly():
 
 
 def test_sinusoidal_pressure_deflects_by_its_own_shape():
-    """The slope of the logarithmic kernel is w'(x) = (2/(πE*)) ∫_0^∞ [p(x + t) - p(x - t)] dt/t, by Dirichlet's integral."""
+    """The logarithmic kernel's slope is (2/(πE*)) ∫_0^∞ [p(x + t) - p(x - t)] dt/t: Dirichlet's integral here."""
     amplitude, wavevector, modulus, x = 1e5, 2e4, 13.3e6, 3e-5
     # cos q(x + t) - cos q(x - t) = -2 sin qx sin qt, and ∫_0^∞ sin(qt)/t dt, done by parts beyond many waves
     periods = 400 * np.pi / wavevector
