@@ -1,0 +1,45 @@
+"""What `draft`, `standard` and `source` stand for: grids and domain.
+
+Keys of nodes hold these numbers and not the name, so a panel is computed once whichever word asked for it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+AccuracyName = Literal["draft", "standard", "source"]
+ACCURACIES: tuple[str, ...] = get_args(AccuracyName)
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Grids and domain of one level of accuracy.
+
+    Parameters
+    ----------
+    spectral_order : int
+        Polynomial order of the spectral elements.
+    finite_volume_nodes, module_nodes : int
+        Nodes of the finite volumes and of the source's modules.
+    grid : {"graded", "even"}
+        Spacing of those nodes.
+    half_domain : float or None
+        Half-width of the domain [m]; None leaves it to the problem: 64 Hertz half-widths or wider.
+    """
+
+    spectral_order: int
+    finite_volume_nodes: int
+    module_nodes: int
+    grid: Literal["graded", "even"] = "graded"
+    half_domain: float | None = None
+
+
+PRESETS: dict[str, Accuracy] = {
+    "draft": Accuracy(spectral_order=6, finite_volume_nodes=129, module_nodes=257),
+    "standard": Accuracy(spectral_order=8, finite_volume_nodes=257, module_nodes=513),
+    # The grid and the domain of the source's table 3-2.
+    "source": Accuracy(
+        spectral_order=12, finite_volume_nodes=1025, module_nodes=1025, grid="even", half_domain=1e-3
+    ),
+}

@@ -1,0 +1,77 @@
+"""What only the whole study shows: solvers that cannot do the scene, figures that lack what they draw."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from softlub.study import paths
+from softlub.study.drawings import DRAWINGS, NEEDS
+from softlub.study.figures import Figure
+from softlub.study.messages import Problem
+from softlub.study.parsed import Study
+from softlub.study.solvers import MODULES
+
+MOST_CURVES = 500_000
+"""Curves of a study: 500 jobs of 1,000."""
+
+
+def problems_of(study: Study) -> list[Problem]:
+    """Everything wrong with a study whose entries are all right by themselves."""
+    return [*_solver_problems(study), *_figure_problems(study), *_grid_problems(study)]
+
+
+def _values(study: Study, path: str) -> list[Any]:
+    """Every value that a field of the scene takes in a study."""
+    taken = [paths.get(study.scene, path)]
+    for sweep in study.sweeps:
+        if sweep.path == path:
+            taken += sweep.values
+        elif path.startswith(f"{sweep.path}."):
+            taken += [value.get(path[len(sweep.path) + 1 :]) for value in sweep.values]
+    return taken
+
+
+def _solver_problems(study: Study) -> Iterator[Problem]:
+    for label, solver in zip(study.solver_labels, study.solvers, strict=True):
+        if study.solver_labels.count(label) > 1:
+            yield Problem("grid.solver", f"has {label} twice; drop one, or give each a label")
+        if not solver.speeds(study.speeds):
+            yield Problem("solver", f"{label} is left no speed of the grid between its from and to")
+        if solver.name not in ("auto", "finite_volume") and "mass_conserving" in _values(
+            study, "lubricant.cavitation"
+        ):
+            yield Problem(
+                "solver", f"{solver.name} knows the cavitation reynolds only; allowed here: auto, finite_volume"
+            )
+        if solver.name == "bml" and "none" in _values(study, "contact_law.name"):
+            yield Problem("solver", "bml needs asperity contact, and contact_law is none; allowed here: auto, ehl, …")
+
+
+def _figure_problems(study: Study) -> Iterator[Problem]:
+    there = {"solver": len(study.solvers) > 1, "field": bool(study.sweeps), "sample": study.sample is not None}
+    for figure in study.figures:
+        needs = DRAWINGS[figure.draw].needs
+        if needs and not there[needs]:
+            yield Problem("figures", f"{figure.draw} ({figure.name}) needs {NEEDS[needs]}")
+        yield from _option_problems(study, figure)
+
+
+def _option_problems(study: Study, figure: Figure) -> Iterator[Problem]:
+    speed = figure.options.get("speed")
+    if speed is not None and all(abs(math.log(speed / own)) > 0.1 for own in study.speeds):
+        yield Problem(
+            "figures", f"{figure.name} asks for {speed:g} m/s, which is not among the speeds of the grid; add it there"
+        )
+    for name in figure.options.get("solvers", ()):
+        if name not in [solver.name for solver in study.solvers]:
+            yield Problem("figures", f"{figure.name} asks for the solver {name}, which is not in grid.solver")
+
+
+def _grid_problems(study: Study) -> Iterator[Problem]:
+    if study.sample is not None and study.sweeps:
+        yield Problem("grid", "a sample and swept fields exclude each other; put the fields among the sample's ranges")
+    curves = math.prod([len(study.loads), *(len(sweep.values) for sweep in study.sweeps)])
+    if curves > MOST_CURVES:
+        yield Problem("grid", f"makes {curves} curves; allowed: {MOST_CURVES} at most")

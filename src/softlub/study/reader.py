@@ -1,0 +1,277 @@
+"""From a study file to a checked study."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import PydanticCustomError
+
+from softlub.study import paths
+from softlub.study.accuracy import ACCURACIES
+from softlub.study.blocks import Names
+from softlub.study.checks import problems_of
+from softlub.study.files import read_block
+from softlub.study.grid import SWEPT
+from softlub.study.labels import labels
+from softlub.study.messages import Problem, StudyError, did_you_mean, shown
+from softlub.study.models import StudyFile
+from softlub.study.outputs import SCALARS
+from softlub.study.parsed import Sample, StandIn, Study, Sweep
+from softlub.study.scene import Scene
+from softlub.study.solvers import as_block, default_solver
+from softlub.study.sweeps import SceneReader, check_paths, check_together, read_sampled, read_sweep
+
+STUDY_NAME = re.compile(r"[A-Za-z0-9_-]+")
+
+Raw = dict[str, Any]
+
+
+def load(
+    path: str | os.PathLike[str],
+    accuracy: str | None = None,
+    overrule: bool = False,
+    config_dir: str | os.PathLike[str] | None = None,
+) -> Study:
+    """Read and check a study file.
+
+    Parameters
+    ----------
+    path : path-like
+        The study file; its stem is the study's name.
+    accuracy : {"draft", "standard", "source"}, optional
+        Accuracy where the file names none; standard by default.
+    overrule : bool
+        Whether `accuracy` goes before the file's own.
+    config_dir : path-like, optional
+        Folder with the named blocks. By default the one above `studies`, where the file lies in such a folder, else
+        ``config``.
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    StudyError
+        With everything that is wrong in the file.
+    """
+    path = Path(path)
+    if not STUDY_NAME.fullmatch(path.stem):
+        raise StudyError(str(path), [Problem("", "is named after its file: use letters, digits, - and _ only")])
+    if accuracy is not None and accuracy not in ACCURACIES:
+        raise StudyError("accuracy", [Problem("", f"{shown(accuracy)} is unknown; {did_you_mean(accuracy, ACCURACIES)}")])
+    reading = _Reading(path, read_block(path), Names(_config_dir(path, config_dir)))
+    study = reading.study(accuracy, overrule)
+    if reading.problems:
+        raise StudyError(str(path), reading.problems)
+    assert study is not None
+    return study
+
+
+def _config_dir(path: Path, given: str | os.PathLike[str] | None) -> Path:
+    if given is not None:
+        return Path(given)
+    return path.parent.parent if path.resolve().parent.name == "studies" else Path("config")
+
+
+class _Reading:
+    """One file being read: what it holds, and what was found wrong so far."""
+
+    def __init__(self, path: Path, raw: Raw, names: Names) -> None:
+        self.path = path
+        self.raw = raw
+        self.names = names
+        self.problems: list[Problem] = []
+        grid = raw.get("grid")
+        self.grid: Raw = grid if isinstance(grid, dict) else {}
+        self.swept = {key: entry for key, entry in self.grid.items() if str(key).startswith(SWEPT)}
+        sample = self.grid.get("sample")
+        ranges = sample.get("ranges") if isinstance(sample, dict) else None
+        self.sampled: Raw = ranges if isinstance(ranges, dict) else {}
+
+    def study(self, accuracy: str | None, overrule: bool) -> Study | None:
+        """The study, or None where problems were found."""
+        reader = self._scene_reader()
+        file = self._file(reader)
+        sweeps, ranges = self._varied(reader)
+        self._check_stand_ins()
+        if self.problems or file is None:
+            return None
+        chosen = accuracy if overrule and accuracy else file.accuracy or accuracy or "standard"
+        study = _assembled(self.path.stem, file, sweeps, ranges, chosen, self.names)
+        self.problems += problems_of(study)
+        return study
+
+    def _scene_reader(self) -> SceneReader:
+        """Reader of the file's scene, in which every swept field holds its first value."""
+        scene = self.raw.get("scene")
+        try:
+            scene = self.names.resolved(scene)
+        except StudyError as error:
+            self.problems += error.problems
+        for key, first in self._first_values().items():
+            try:
+                scene = paths.replaced(scene if scene is not None else {}, key.removeprefix(SWEPT), first)
+            except KeyError:
+                self._refuse(f"grid.{key}", "leads through something that has no fields", None)
+        try:
+            scene = self.names.resolved(scene)
+        except StudyError as error:
+            self.problems += [p for p in error.problems if p not in self.problems]
+        return SceneReader(scene, self.names)
+
+    def _first_values(self) -> Raw:
+        firsts: Raw = {}
+        for key, entry in [*self.swept.items(), *self.sampled.items()]:
+            if str(key).startswith(SWEPT):
+                first = entry[0] if isinstance(entry, list) and entry else entry
+                if isinstance(first, Mapping):
+                    plain = {name: value for name, value in first.items() if name != "label"}
+                    first = plain.get("from", plain)
+                firsts[key] = first
+        return firsts
+
+    def _file(self, reader: SceneReader) -> StudyFile | None:
+        grid: Any = self.raw.get("grid")
+        if isinstance(grid, dict):
+            grid = {key: entry for key, entry in grid.items() if key not in self.swept}
+            if isinstance(grid.get("solver"), list):
+                grid["solver"] = [as_block(entry) for entry in grid["solver"]]
+        block = {**self.raw, **({"scene": reader.scene} if reader.scene is not None else {})}
+        block |= {"grid": grid} if "grid" in self.raw else {}
+        block |= {"solver": as_block(self.raw["solver"])} if "solver" in self.raw else {}
+        try:
+            return StudyFile.model_validate(_with_text_keys(block))
+        except ValidationError as error:
+            known = {problem.key for problem in self.problems}
+            for entry in error.errors(include_url=False):
+                problem = self._problem(entry)
+                if problem.key not in known:
+                    self.problems.append(problem)
+        return None
+
+    def _problem(self, entry: Any) -> Problem:
+        key = _dotted(entry["loc"])
+        text = str(entry["msg"])
+        for place, file in self.names.used.items():
+            if key.startswith(f"{SWEPT}{place}."):
+                text += f" (in {file})"
+        if any(key == swept or key.startswith(f"{swept}.") for swept in [*self.swept, *self.sampled]):
+            key = f"grid.{key}"
+        # Where a key is missing or a rule joins several, the input is the whole block, which would say nothing.
+        quoted = "" if text.startswith("is missing") or isinstance(entry["input"], (dict, StudyFile)) else entry["input"]
+        return Problem(key, text, shown(quoted) if quoted != "" or entry["input"] == "" else "")
+
+    def _varied(self, reader: SceneReader) -> tuple[list[Sweep], Raw]:
+        """Swept fields, and ranges of sampled ones; nothing where the scene itself is wrong."""
+        try:
+            Scene.model_validate(reader.scene)
+        except ValidationError:
+            return [], {}
+        firsts = {key.removeprefix(SWEPT): value for key, value in self._first_values().items()}
+        sweeps: list[Sweep] = []
+        ranges: Raw = {}
+        try:
+            check_paths([*self.swept, *self.sampled])
+        except PydanticCustomError as error:
+            self._refuse("grid", f"a swept field {error.message()}", None)
+            return [], {}
+        for key, entry in self.swept.items():
+            try:
+                sweeps.append(read_sweep(key, entry, _without(firsts, key), reader))
+            except PydanticCustomError as error:
+                self._refuse(f"grid.{key}", error.message(), entry)
+        for key, entry in self.sampled.items():
+            if key != "load" and not str(key).startswith(SWEPT):
+                continue
+            try:
+                path, bounds = read_sampled(key, entry, _without(firsts, key), reader)
+                ranges[path] = bounds
+            except PydanticCustomError as error:
+                self._refuse(f"grid.sample.ranges.{key}", error.message(), None)
+        if not self.problems:
+            self._check_corners(sweeps, ranges, reader)
+        return sorted(sweeps, key=lambda sweep: sweep.path), ranges
+
+    def _check_corners(self, sweeps: list[Sweep], ranges: Raw, reader: SceneReader) -> None:
+        extremes: dict[str, tuple[Any, ...]] = {
+            sweep.path: (sweep.values[0], sweep.values[-1])
+            if isinstance(sweep.values[0], float)
+            else sweep.values
+            for sweep in sweeps
+        }
+        extremes |= {path: (bounds.low, bounds.high) for path, bounds in ranges.items() if path != "load"}
+        try:
+            check_together(extremes, reader)
+        except PydanticCustomError as error:
+            self._refuse("grid", error.message(), None)
+
+    def _check_stand_ins(self) -> None:
+        entries = self.raw.get("stand_ins")
+        for entry in entries if isinstance(entries, list) else []:
+            key = entry.get("key") if isinstance(entry, dict) else None
+            if isinstance(key, str) and not _stands_in(self.raw, key):
+                self._refuse("stand_ins", "is no key of this file; write it as it stands, such as scene.lubricant", key)
+
+    def _refuse(self, key: str, text: str, value: Any) -> None:
+        self.problems.append(Problem(key, text, "" if value is None else shown(value)))
+
+
+def _without(values: Raw, key: str) -> Raw:
+    return {path: value for path, value in values.items() if path != key.removeprefix(SWEPT)}
+
+
+def _with_text_keys(block: Any) -> Any:
+    """Keys as text: YAML also makes numbers of them, and pydantic wants to name them."""
+    if isinstance(block, dict):
+        return {str(key): _with_text_keys(value) for key, value in block.items()}
+    return [_with_text_keys(entry) for entry in block] if isinstance(block, list) else block
+
+
+def _dotted(location: tuple[int | str, ...]) -> str:
+    text = "".join(f"[{part + 1}]" if isinstance(part, int) else f".{part}" for part in location)
+    return text.removeprefix(".")
+
+
+def _stands_in(block: Any, key: str) -> bool:
+    """Whether a dotted key leads somewhere in a block whose own keys may hold dots."""
+    if isinstance(block, dict):
+        return any(
+            key == str(own) or (key.startswith(f"{own}.") and _stands_in(value, key[len(str(own)) + 1 :]))
+            for own, value in block.items()
+        )
+    return False
+
+
+def _assembled(
+    name: str, file: StudyFile, sweeps: list[Sweep], ranges: Raw, accuracy: str, names: Names
+) -> Study:
+    scene = file.scene.canonical()
+    sample = file.grid.sample
+    solvers = tuple(file.grid.solver or [file.solver or default_solver()])
+    stand_ins = [StandIn(entry.key, entry.reason) for entry in file.stand_ins]
+    stand_ins += [StandIn(f"{SWEPT}{place}", reason) for place, reason in names.stand_ins.items()]
+    outputs = tuple(file.outputs or SCALARS)
+    return Study(
+        name=name,
+        title=file.title or name,
+        scene=scene,
+        shear_strength=file.scene.shear_strength,
+        loads=file.grid.load or (),
+        speeds=file.grid.speed,
+        sweeps=tuple(sweeps),
+        sample=sample and Sample(sample.points, sample.seed, dict(sorted(ranges.items()))),
+        solvers=solvers,
+        solver_labels=tuple(
+            labels([s.name for s in solvers], [s.model_dump(by_alias=True) for s in solvers], [s.label for s in solvers])
+        ),
+        accuracy=accuracy,
+        outputs=outputs,
+        figures=tuple(file.figures),
+        stand_ins=tuple(stand_ins),
+    )
