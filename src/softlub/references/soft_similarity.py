@@ -3,17 +3,19 @@
 In Hertz units (x by a, p by p₀, u by a²/R) the one number of the problem is λ = 6ηvR²/(a³p₀). As λ -> 0 the pressure
 tends to Hertz's, and the film is set in an inlet of width δ a at x = -a: there p ~ √δ, so that the Reynolds equation
 √δ/δ = λ/u² and the elastic gap u ~ δ^(3/2) of the contact's edge give δ = λ^(2/5), u = const λ^(3/5). The flat film
-keeps that thickness up to a neck of the same two scales at the outlet. The two constants are those of the
-inlet's and the outlet's similarity problems, which have no closed form. J. H. Snoeijer, J. Eggers, C. H. Venner,
-Similarity theory of lubricated Hertzian contacts, Phys. Fluids 25 (2013) 101705; K. Herrebrugh (1968).
+keeps that thickness up to a neck of the same two scales at the outlet (K. Herrebrugh, J. Lubr. Technol. 90 (1968) 262;
+J. H. Snoeijer, J. Eggers, C. H. Venner, Phys. Fluids 25 (2013) 101705).
+
+The two constants belong to the similarity problems of inlet and outlet, which have no closed form. They are the limits
+λ -> 0 of numerical solutions with two discretisations, whose central film approaches its limit like λ^(2/5).
 """
 
 from __future__ import annotations
 
-CENTRAL_FILM = 0.4467
+CENTRAL_FILM = 0.4458
 """u(0) R/a² λ^(-3/5) as λ -> 0."""
-SMALLEST_FILM = 0.3545
-"""u_min R/a² λ^(-3/5) as λ -> 0, at the neck of the outlet; within 0.0005."""
+SMALLEST_FILM = 0.3550
+"""u_min R/a² λ^(-3/5) as λ -> 0, at the neck of the outlet."""
 
 
 def speed_number(
