@@ -7,10 +7,11 @@ Without a plateau q_L = q_r, which is what the source's chapter 3 uses (its figu
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import beta, betainc, gamma
 
 from softlub.units import HurstExponent, Length, Wavevector
 
@@ -35,7 +36,8 @@ class SelfAffine:
     Raises
     ------
     ValueError
-        If the cut-offs are not in the order q_L <= q_r < q_s.
+        If H lies outside (0, 1], a length or wavevector is not positive and finite, or the cut-offs are not in the
+        order q_L <= q_r < q_s.
     """
 
     rms_roughness: Length
@@ -45,6 +47,12 @@ class SelfAffine:
     long_cutoff: Wavevector | None = None
 
     def __post_init__(self) -> None:
+        if not 0 < self.hurst <= 1:
+            raise ValueError(f"hurst {self.hurst:g} must be above 0 and at most 1")
+        for name in ("rms_roughness", "rolloff", "cutoff", "long_cutoff"):
+            value = getattr(self, name)
+            if value is not None and not 0 < value < np.inf:
+                raise ValueError(f"{name} {value:g} must be positive and finite")
         if not self.cutoff > self.rolloff:
             raise ValueError(
                 f"cutoff {self.cutoff:g} 1/m must lie above rolloff {self.rolloff:g} 1/m; raise cutoff or lower rolloff"
@@ -54,6 +62,24 @@ class SelfAffine:
                 f"long_cutoff {self.long_cutoff:g} 1/m must not exceed rolloff {self.rolloff:g} 1/m; "
                 "leave it out for a spectrum without a plateau"
             )
+
+    @classmethod
+    def from_rms_slope(
+        cls, rms_slope: float, hurst: float, rolloff: float, cutoff: float, long_cutoff: float | None = None
+    ) -> SelfAffine:
+        """Make the spectrum that has a given root mean square slope h'_rms instead of a given h_rms.
+
+        Parameters
+        ----------
+        rms_slope : float
+            h'_rms of the whole spectrum.
+        hurst, rolloff, cutoff, long_cutoff
+            As in the class.
+        """
+        if not 0 < rms_slope < np.inf:
+            raise ValueError(f"rms_slope {rms_slope:g} must be positive and finite")
+        unit = cls(1.0, hurst, rolloff, cutoff, long_cutoff)
+        return replace(unit, rms_roughness=rms_slope / unit.rms_slope)
 
     @property
     def plateau_start(self) -> float:
@@ -65,9 +91,40 @@ class SelfAffine:
         """C(q_r) [m⁴], from h_rms² = 2π ∫ C q dq."""
         return self.rms_roughness**2 / (2 * np.pi * self._relative_moment(1))
 
-    def branch(self, wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
-        """C(q) [m⁴] by the plateau's and the self-affine branch's formulas, without the cut-offs (equation 4-5)."""
-        return self.level * np.maximum(np.asarray(wavevector) / self.rolloff, 1.0) ** (-2 - 2 * self.hurst)
+    def density(self, wavevector: ArrayLike) -> NDArray[np.float64]:
+        """C(q) [m⁴] at wavevectors [1/m] of any shape; zero beyond q_L and q_s (equation 4-5)."""
+        q = np.asarray(wavevector, dtype=float)
+        branch = self.level * np.maximum(q / self.rolloff, 1.0) ** (-2 - 2 * self.hurst)
+        return np.where((q >= self.plateau_start) & (q <= self.cutoff), branch, 0.0)
+
+    def profile_density(self, wavevector: ArrayLike) -> NDArray[np.float64]:
+        """One-sided spectrum of a line cut through the surface, C1D+(q) = 4 ∫ C(√(q² + y²)) dy over y > 0 [m³].
+
+        Exact with all cut-offs, so that h_rms² = ∫ C1D+ dq. Far from them it is `profile_factor`·q·C(q).
+
+        Parameters
+        ----------
+        wavevector : array_like
+            Positive wavevectors along the line [1/m], of any shape.
+        """
+        q = np.asarray(wavevector, dtype=float)
+
+        def cross(limit: float) -> NDArray[np.float64]:
+            return np.sqrt(np.maximum(limit**2 - q**2, 0.0))
+
+        plateau = cross(self.rolloff) - cross(self.plateau_start)
+        # ∫ (q² + y²)^(-1-H) dy by v = q²/(q² + y²); the parts near v = 0 do not cancel.
+        order = self.hurst + 0.5
+        near = betainc(order, 0.5, (q / np.maximum(q, self.rolloff)) ** 2)
+        far = betainc(order, 0.5, np.minimum((q / self.cutoff) ** 2, 1.0))
+        branch = (
+            q
+            / 2
+            * beta(order, 0.5)
+            * (q / self.rolloff) ** (-2 - 2 * self.hurst)
+            * np.maximum(near - far, 0.0)
+        )
+        return 4 * self.level * (plateau + branch)
 
     def moment(self, power: int) -> float:
         """∫ q^power C(q) dq over the whole spectrum, in closed form [m^(3 - power)]."""
@@ -85,6 +142,16 @@ class SelfAffine:
     def rms_slope(self) -> float:
         """Root mean square slope h'_rms, from h'_rms² = 2π ∫ C q³ dq."""
         return float(np.sqrt(2 * np.pi * self.moment(3)))
+
+    @property
+    def nayak_parameter(self) -> float:
+        """Nayak's bandwidth m0 m4 / m2² of a line's moments, 3/2 ∫Cq dq ∫Cq⁵ dq / (∫Cq³ dq)²."""
+        return 1.5 * self.moment(1) * self.moment(5) / self.moment(3) ** 2
+
+
+def profile_factor(hurst: float) -> float:
+    """C1D+(q) / (q C(q)) of an unlimited self-affine branch (equation 4-6, whose π holds at H = 1 only)."""
+    return float(2 * np.sqrt(np.pi) * gamma(hurst + 0.5) / gamma(hurst + 1))
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ def synthesize(
         wave of the grid lies within the spectrum.
     """
     sides, shape = _grid(size, points)
-    coefficients = _phasors(shape, sides, seed, _resolved_cutoff(spectrum, sides[0] / shape[0]))
+    coefficients = _phasors(shape, sides, seed, resolved_cutoff(spectrum, sides[0] / shape[0]))
     return _superpose(coefficients, spectrum, sides, shape, target)
 
 
@@ -99,7 +99,7 @@ def synthesize_exponential(
     if not ratio > 1:
         raise ValueError(f"ratio {ratio:g} of neighbouring wavevectors must be above 1")
     sides, shape = _grid(size, points)
-    coefficients = _phasors(shape, sides, seed, _resolved_cutoff(spectrum, sides[0] / shape[0]))
+    coefficients = _phasors(shape, sides, seed, resolved_cutoff(spectrum, sides[0] / shape[0]))
     for axis in (0, 1):
         kept = _exponential_indices(spectrum.plateau_start * sides[axis] / (2 * math.pi), shape[axis], ratio)
         indices = np.arange(coefficients.shape[axis])
@@ -127,7 +127,7 @@ def _grid(
     return sides, shape
 
 
-def _resolved_cutoff(spectrum: SelfAffine, spacing: float) -> float:
+def resolved_cutoff(spectrum: SelfAffine, spacing: float) -> float:
     """q_s as far as the grid resolves it [1/m]."""
     nyquist = math.pi / spacing
     if spectrum.cutoff > nyquist * (1 + NYQUIST_TOLERANCE):
@@ -149,12 +149,10 @@ def _phasors(
     ]
     x_max, y_max = largest
     phasors = np.zeros((shape[0], shape[1] // 2 + 1), dtype=np.complex128)
-    # Raw words, because numpy promises their stream on every machine and in every version.
     words = np.random.PCG64(seed)
     for ring in range(1, max(largest) + 1):
-        uniform = (words.random_raw(4 * ring) >> np.uint64(11)) * 2.0**-53
-        wave = np.exp(2j * np.pi * uniform)
-        # One half of the ring's 8k waves: n = 1…k at m = k and at m = −k, then m = −(k − 1)…k − 1 at n = k, then (k, 0).
+        wave = np.exp(1j * uniform_phases(words, 4 * ring))
+        # One half of the ring's 8k waves: n = 1…k at m = k and at m = −k, m = −(k − 1)…k − 1 at n = k, and (k, 0).
         if ring <= x_max:
             width = min(ring, y_max)
             phasors[ring, 1 : width + 1] = wave[:width]
@@ -170,6 +168,13 @@ def _phasors(
     return phasors
 
 
+def uniform_phases(words: np.random.PCG64, count: int) -> NDArray[np.float64]:
+    """The next `count` phases, uniform in [0, 2π)."""
+    # Raw words, because numpy promises their stream on every machine and in every version.
+    fractions = (words.random_raw(count) >> np.uint64(11)).astype(np.float64)
+    return fractions * (2 * np.pi * 2.0**-53)
+
+
 def _superpose(
     coefficients: NDArray[np.complex128],
     spectrum: SelfAffine,
@@ -179,7 +184,7 @@ def _superpose(
 ) -> Topography:
     """Give the phasors their amplitudes, normalise to the target and add the waves up; uses `coefficients` up."""
     spacing = sides[0] / shape[0]
-    cutoff = _resolved_cutoff(spectrum, spacing)
+    cutoff = resolved_cutoff(spectrum, spacing)
     along_x = 2 * np.pi * np.fft.fftfreq(shape[0], spacing)
     along_y = 2 * np.pi * np.fft.rfftfreq(shape[1], spacing)
     # Each wave with n > 0 stands for itself and its mirror; the column n = 0 holds both.
@@ -189,7 +194,9 @@ def _superpose(
         magnitude = np.hypot(wavevector, along_y)
         held = (magnitude >= spectrum.plateau_start * (1 - ROUNDING)) & (magnitude < cutoff * (1 - ROUNDING))
         amplitude = np.zeros_like(magnitude)
-        amplitude[held] = np.sqrt(spectrum.branch(magnitude[held]))
+        # Waves on q_L but for rounding count as lying on it.
+        within = np.clip(magnitude[held], spectrum.plateau_start, spectrum.cutoff)
+        amplitude[held] = np.sqrt(spectrum.density(within))
         coefficients[row] *= amplitude
         power = weight * np.abs(coefficients[row]) ** 2
         moment += float(np.sum(power if target == "rms_roughness" else magnitude**2 * power))
