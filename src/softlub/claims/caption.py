@@ -121,7 +121,7 @@ def _domain(dataset: xr.Dataset) -> str:
     if not np.isfinite(reach).all():
         return ""
     return escape(
-        f"Domain: +-{_range(reach)} mm, {_range(widths)} Hertz half-widths (the source takes +-1 mm). "
+        f"Domain: ±{_range(reach)} mm, {_range(widths)} Hertz half-widths (the source takes ±1 mm). "
         "It decides friction and film above some 0.1 m/s."
     )
 

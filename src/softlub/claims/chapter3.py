@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import xarray as xr
 
-from softlub.claims.reading import at_speed, curve, hertz_half_width, hertz_peak_pressure, minimum, number
+from softlub.claims.reading import curve, hertz_half_width, hertz_peak_pressure, interpolated, minimum, number
 from softlub.claims.verdict import Datasets, NotComputed, Verdict, check, judge, state
 from softlub.datasets.minimum import FrictionMinimum
 from softlub.datasets.variables import FLAGS
@@ -49,7 +49,8 @@ def inputs_of_table(datasets: Datasets) -> Verdict:
     return judge(
         not differing,
         f"half-width {hertz_half_width(newton) * 1e3:.3f} mm, "
-        f"peak pressure {hertz_peak_pressure(newton) / 1e6:.3f} MPa, mu {plateau:.3f} at the lowest speed",
+        f"peak pressure {hertz_peak_pressure(newton) / 1e6:.3f} MPa, "
+        f"friction coefficient {plateau:.3f} at the lowest speed",
         f"other inputs used: {', '.join(differing)}"
         if differing
         else "the study uses the printed inputs; the source prints nothing that follows from them",
@@ -64,12 +65,12 @@ def domain(datasets: Datasets) -> Verdict:
         raise NotComputed("study ch3-domain was not swept over half_domain")
     reach = dataset["half_domain"].values
     order = np.argsort(reach)
-    films = [number(at_speed(curve(dataset.isel(half_domain=i)), 1.0), "separation_min") for i in order]
+    films = [interpolated(curve(dataset.isel(half_domain=i)), 1.0, "separation_min") for i in order]
     units = reach[order] / hertz_half_width(curve(dataset.isel(half_domain=0)))
     return judge(
         films[0] < 0.95 * films[-1],
-        "; ".join(f"{film * 1e6:.1f} um at +-{unit:.1f} a" for film, unit in zip(films, units, strict=True)),
-        "smallest separation at 1 m/s; the source's own domain of +-1 mm (3.2 a) is one of those that are too small",
+        "; ".join(f"{film * 1e6:.1f} µm at ±{unit:.1f} a" for film, unit in zip(films, units, strict=True)),
+        "smallest separation at 1 m/s; the source's own domain of ±1 mm (3.2 a) is one of those that are too small",
     )
 
 
@@ -138,7 +139,7 @@ def share_at_minimum(datasets: Datasets) -> Verdict:
     return judge(
         abs(least.load_share_solid / 0.003 - 1) <= 0.5,
         f"{100 * least.load_share_solid:.2g} %",
-        f"at the minimum mu = {least.friction_coefficient:.4f}, {least.speed:.3g} m/s; "
+        f"at the minimum, friction coefficient {least.friction_coefficient:.4f}, {least.speed:.3g} m/s; "
         "reproduced if within half of 0.3 %",
     )
 
@@ -186,7 +187,7 @@ def _spread(
 ) -> float:
     """Largest over smallest value of a variable across a sweep, less one."""
     ((name, values),) = over.items()
-    found = [number(at_speed(curve(datasets(study), **{name: value}), speed), variable) for value in values]
+    found = [interpolated(curve(datasets(study), **{name: value}), speed, variable) for value in values]
     return max(found) / min(found) - 1
 
 
@@ -215,10 +216,10 @@ def film_friction_of_moduli(datasets: Datasets) -> Verdict:
 def softer_builds_film(datasets: Datasets) -> Verdict:
     """Smallest separation of the three moduli in mixed lubrication."""
     curves = [curve(datasets("ch3-modulus"), young_modulus=modulus) for modulus in MODULI]
-    films = [number(at_speed(one, 1e-2), "separation_min") for one in curves]
+    films = [interpolated(one, 1e-2, "separation_min") for one in curves]
     return judge(
         all(softer > stiffer for softer, stiffer in pairwise(films)),
-        "separations " + ", ".join(f"{film * 1e6:.2g}" for film in films) + " um at 0.01 m/s",
+        "separations " + ", ".join(f"{film * 1e6:.2g}" for film in films) + " µm at 0.01 m/s",
         "for 10, 20 and 50 MPa",
     )
 
@@ -242,11 +243,11 @@ def full_film_of_roughnesses(datasets: Datasets) -> Verdict:
 def boundary_friction_of_roughnesses(datasets: Datasets) -> Verdict:
     """Friction of the three roughnesses at the lowest speed."""
     curves = [curve(datasets("ch3-roughness"), rms_roughness=rms) for rms in ROUGHNESSES]
-    frictions = [number(at_speed(one, LOWEST), "friction_coefficient") for one in curves]
+    frictions = [interpolated(one, LOWEST, "friction_coefficient") for one in curves]
     return judge(
         all(rougher < smoother for smoother, rougher in pairwise(frictions)),
-        "mu " + ", ".join(f"{friction:.3g}" for friction in frictions) + " at 1e-5 m/s",
-        "for 1, 3 and 6 um",
+        "friction coefficients " + ", ".join(f"{friction:.3g}" for friction in frictions) + " at 1e-5 m/s",
+        "for 1, 3 and 6 µm",
     )
 
 
@@ -263,7 +264,7 @@ def _regime(share: float) -> str:
 def _sixth_micrometre(datasets: Datasets) -> str:
     six = _minima(datasets)[-1]
     return (
-        f"for 1, 3 and 6 um; at 6 um asperities still carry {100 * six.load_share_solid:.2g} % of the load at the "
+        f"for 1, 3 and 6 µm; at 6 µm asperities still carry {100 * six.load_share_solid:.2g} % of the load at the "
         f"minimum, {_regime(six.load_share_solid)}"
     )
 
@@ -285,6 +286,6 @@ def minimum_grows(datasets: Datasets) -> Verdict:
     frictions = [least.friction_coefficient for least in _minima(datasets)]
     return judge(
         all(rougher > smoother for smoother, rougher in pairwise(frictions)),
-        "least mu " + ", ".join(f"{value:.3g}" for value in frictions),
+        "least friction coefficients " + ", ".join(f"{value:.3g}" for value in frictions),
         _sixth_micrometre(datasets),
     )

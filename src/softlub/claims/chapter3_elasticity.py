@@ -77,7 +77,7 @@ def rigid_approach(datasets: Datasets) -> Verdict:
     centre = -2 / (np.pi * MODULUS) * float((_kernel() @ PRESSURE)[X.size // 2])
     return judge(
         abs(centre) < 1e-3 * HERTZ.gap_scale,
-        f"w(0) = {centre * 1e6:.3g} um",
+        f"w(0) = {centre * 1e6:.3g} µm",
         "the law gives the separation at the centre; the rigid approach is u(0) - w(0)",
     )
 

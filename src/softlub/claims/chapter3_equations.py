@@ -113,7 +113,7 @@ def linear_area(datasets: Datasets) -> Verdict:
         ratios.append(np.sqrt(8 / np.pi) / slope * HERTZ.peak_pressure / MODULUS)
     return judge(
         max(ratios) <= 1,
-        f"A/A0 = {ratios[0]:.3g} at h_rms 1 um, {ratios[1]:.3g} at 0.05 um",
+        f"A/A0 = {ratios[0]:.3g} at h_rms 1 µm, {ratios[1]:.3g} at 0.05 µm",
         "at Hertz's peak pressure; the full form erf(sqrt(pi)/2 chi p/E*) stays below one",
     )
 

@@ -7,8 +7,17 @@ from itertools import pairwise
 import numpy as np
 import xarray as xr
 
-from softlub.claims.reading import at_speed, curve, field, hertz_half_width, law, number, profile_difference
-from softlub.claims.verdict import Datasets, Verdict, check, judge
+from softlub.claims.reading import (
+    AGREEMENT,
+    at_speed,
+    curve,
+    field,
+    hertz_half_width,
+    law,
+    number,
+    profile_difference,
+)
+from softlub.claims.verdict import Datasets, NotComputed, Verdict, check, judge
 
 LOWEST, MIDDLE, HIGHEST = 1e-5, 1.5e-3, 0.12
 """Speeds of figures 3-9 to 3-11 [m/s]."""
@@ -43,17 +52,25 @@ def boundary_profile(datasets: Datasets) -> Verdict:
     """Share and width of the contact at the lowest speed."""
     dataset = datasets("ch3-profiles")
     point = at_speed(curve(law(dataset, "persson")), LOWEST)
-    share, width = (
-        number(point, "load_share_solid"),
-        number(point, "contact_width") / (2 * hertz_half_width(point)),
-    )
+    share, width = number(point, "load_share_solid"), _relative_width(point)
     approximate = number(at_speed(curve(law(dataset, "exponential")), LOWEST), "load_share_solid")
     return judge(
-        share > 0.5 and 1.0 < width < 1.5,
-        f"asperity share {share:.3f}, contact {width:.3f} times as wide as Hertz's",
+        share > 0.5 and 1.0 < width < 1.25,
+        f"asperity share {share:.3f}, pressure {width:.3f} times as wide at half its height as Hertz's",
         "with the full Persson integral; "
         f"with the source's own law 3-11 the share is {approximate:.2f}, since that law cannot carry the load at rest",
     )
+
+
+def _relative_width(point: xr.Dataset) -> float:
+    """Width of the total pressure at half its maximum, over that of Hertz's ellipse, √3 a."""
+    x, fluid = field(point, "fluid_pressure")
+    total = fluid + field(point, "solid_pressure")[1]
+    top = int(np.argmax(total))
+    half = total[top] / 2
+    left = np.interp(half, total[: top + 1], x[: top + 1])
+    right = np.interp(-half, -total[top:], x[top:])
+    return float((right - left) / (np.sqrt(3) * hertz_half_width(point)))
 
 
 @check("claim_3_14")
@@ -88,9 +105,9 @@ def laws_agree_in_full_film(datasets: Datasets) -> Verdict:
     pair = _both_laws(datasets("ch3-profiles"), HIGHEST)
     differences = [profile_difference(*pair, name) for name in ("fluid_pressure", "separation")]
     return judge(
-        max(differences) <= 0.01,
+        max(differences) <= AGREEMENT,
         f"fluid pressures differ by {100 * differences[0]:.2g} %, separations by {100 * differences[1]:.2g} %",
-        "full integral with gamma = 0.45 against law 3-11 at 0.12 m/s; equal means within 1 %",
+        "full integral with gamma = 0.45 against law 3-11 at 0.12 m/s; equal means within 2 %",
     )
 
 
@@ -112,15 +129,17 @@ def amplified_pressure(datasets: Datasets) -> Verdict:
 
 @check("eq_gumbel")
 def rupture_condition(datasets: Datasets) -> Verdict:
-    """Slope of the fluid pressure where the film ends: zero for Reynolds' condition, steep for Gümbel's."""
+    """Power of the distance from the rupture with which the fluid pressure rises: 2 for Reynolds, 1 for Gümbel."""
     point = at_speed(curve(law(datasets("ch3-profiles"), "persson")), HIGHEST)
     x, pressure = field(point, "fluid_pressure")
-    slope = np.gradient(pressure, x)
-    last = int(np.flatnonzero(pressure > 1e-6 * pressure.max())[-1])
-    ratio = float(abs(slope[last]) / np.abs(slope).max())
+    distance = number(point, "rupture_position") - x
+    near = (distance > 0) & (pressure > 1e-6 * pressure.max()) & (pressure < 0.05 * pressure.max()) & (x > 0)
+    if near.sum() < 2:
+        raise NotComputed("too few nodes lie beside the rupture")
+    power = float(np.polyfit(np.log(distance[near]), np.log(pressure[near]), 1)[0])
     return Verdict(
-        f"slope at the rupture {ratio:.1e} of the steepest",
-        "differs" if ratio < 0.05 else "reproduced",
+        f"pressure rises with the power {power:.2f} of the distance from the rupture",
+        "differs" if power > 1.5 else "reproduced",
         "pressure and slope vanish together: that is Reynolds' (Swift and Stieber's) condition; Gümbel's cuts off "
         "a solution that has negative pressures and would leave a slope",
     )

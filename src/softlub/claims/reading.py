@@ -9,6 +9,8 @@ from softlub.claims.verdict import NotComputed
 from softlub.datasets.minimum import FrictionMinimum, friction_minimum
 from softlub.datasets.variables import FLAGS
 
+AGREEMENT = 0.02
+"""Largest difference of two fields, as part of their scale, up to which they agree: what a printed figure shows."""
 NEWTON = ("auto", "spectral", "finite_volume")
 
 
@@ -120,6 +122,35 @@ def number(point: xr.Dataset, variable: str) -> float:
             f"the point at {float(point['speed']):g} m/s did not converge (residual {float(point['residual']):.1e})"
         )
     return float(point[variable])
+
+
+def interpolated(curve: xr.Dataset, speed: float, variable: str) -> float:
+    """A positive variable of a curve at any of its speeds: cubic through the four nearest points, in logarithms.
+
+    Parameters
+    ----------
+    curve : xarray.Dataset
+    speed : float
+        [m/s]
+    variable : str
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    NotComputed
+        If the speed lies outside the curve, or one of the four points failed.
+    """
+    log_speed = np.log(curve["speed"].values) - np.log(speed)
+    if log_speed.size < 4 or not log_speed[0] - 1e-9 <= 0 <= log_speed[-1] + 1e-9:
+        raise NotComputed(f"the curve does not reach over {speed:g} m/s")
+    nearest = np.sort(np.argsort(np.abs(log_speed), kind="stable")[:4])
+    if not curve["converged"].values[nearest].all():
+        raise NotComputed(f"a point beside {speed:g} m/s did not converge")
+    cubic = np.polyfit(log_speed[nearest], np.log(curve[variable].values[nearest]), 3)
+    return float(np.exp(cubic[-1]))
 
 
 def minimum(curve: xr.Dataset) -> FrictionMinimum:

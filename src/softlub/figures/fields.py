@@ -108,16 +108,16 @@ def contact_window(drawn: list[Profile], level: float = 1e-3) -> tuple[float, fl
 
 
 def separation_limit(drawn: list[Profile], window: tuple[float, float]) -> float:
-    """Upper end of the separation axis: the film in the contact fills about a third of it [m]."""
+    """Upper end of the separation axis: the film in the contact fills the lower part of it [m]."""
     largest = 0.0
     for profile in drawn:
         total = np.nan_to_num(profile.fluid_pressure + profile.solid_pressure)
         inside = (
-            (profile.x > window[0]) & (profile.x < window[1]) & (total > 0.3 * np.max(total, initial=0.0))
+            (profile.x > window[0]) & (profile.x < window[1]) & (total > 0.5 * np.max(total, initial=0.0))
         )
         if inside.any():
             largest = max(largest, float(np.nanmax(profile.separation[inside])))
-    return 3.0 * largest if largest > 0 else 1.0
+    return 2.5 * largest if largest > 0 else 1.0
 
 
 def look(index: int) -> dict[str, Any]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
 import xarray as xr
 
+from softlub.datasets.minimum import friction_minimum
 from softlub.figures import style
 from softlub.figures.curves import Curve, curves
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
@@ -54,10 +54,9 @@ def _draw_curve(panel: Panel, curve: Curve, alone: bool) -> None:
     panel.line(f"fluid{suffix}", curve.hersey_number, 1 - solid, color=style.FLUID, linestyle=linestyle)
     panel.line(f"asperities{suffix}", curve.hersey_number, solid, color=style.SOLID, linestyle=linestyle)
     panel.mark_failed(curve.hersey_number[curve.failed])
-    friction = curve.values("friction_coefficient")
-    if np.isfinite(friction).any():
-        least = int(np.nanargmin(friction))
-        _mark_minimum(panel, float(curve.hersey_number[least]), float(solid[least]), alone)
+    least = friction_minimum(curve.data)
+    if least is not None:
+        _mark_minimum(panel, least.hersey_number, least.load_share_solid, alone)
 
 
 def _mark_minimum(panel: Panel, hersey_number: float, share: float, alone: bool) -> None:

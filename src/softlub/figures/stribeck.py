@@ -59,8 +59,10 @@ def draw_curves(panel: Panel, dataset: xr.Dataset, variable: str, legend: bool =
     rows = {curve.position: row for row, curve in enumerate(c for c in all_curves if c.failed.any())}
     for curve in all_curves:
         look = _look(curve)
-        label = curve.label or panel.y.label
-        panel.line(label, curve.hersey_number, curve.values(variable), None if legend else "", **look)
+        # A single curve needs no name: the axis says what it is.
+        name = curve.label or panel.y.label
+        shown = None if legend and curve.label else ""
+        panel.line(name, curve.hersey_number, curve.values(variable), shown, **look)
         panel.mark_failed(curve.hersey_number[curve.failed], look["color"], rows.get(curve.position, 0))
 
 
