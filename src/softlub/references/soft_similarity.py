@@ -6,8 +6,9 @@ tends to Hertz's, and the film is set in an inlet of width δ a at x = -a: there
 keeps that thickness up to a neck of the same two scales at the outlet (K. Herrebrugh, J. Lubr. Technol. 90 (1968) 262;
 J. H. Snoeijer, J. Eggers, C. H. Venner, Phys. Fluids 25 (2013) 101705).
 
-The two constants belong to the similarity problems of inlet and outlet, which have no closed form. They are the limits
-λ -> 0 of numerical solutions with two discretisations, whose central film approaches its limit like λ^(2/5).
+The two constants belong to the similarity problems of inlet and outlet, which have no closed form. The first is the
+solution of the inlet's problem, both are the limit of whole contacts as λ -> 0, which they approach like λ^(2/5); the
+tests compute both.
 """
 
 from __future__ import annotations
