@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from softlub.lubrication.solvers.finite_volume.newton import Iterate, State
+from softlub.lubrication.solvers.finite_volume.equations import State
+from softlub.lubrication.solvers.finite_volume.newton import Iterate
 
 Corrector = Callable[[float, State], Iterate]
 """λ and a start -> where Newton's method ended."""
@@ -15,6 +16,8 @@ LARGEST_STEP = 1.0
 """In ln λ."""
 SMALLEST_STEP = 1e-2
 """In ln λ; below it the point is given up."""
+FRONT_MARGIN = 0.25
+"""The predicted front is moved out by this part of its predicted motion: a film too long is cut back at once."""
 REMEMBERED = 3
 """Solutions that the prediction uses."""
 
@@ -40,7 +43,9 @@ class Track:
         )
         states = [state for _, state in self.known]
         pressure = sum(w * state.pressure for w, state in zip(weights, states, strict=True))
-        return State(pressure, float(weights @ [state.approach for state in states]))
+        front = float(weights @ [state.front for state in states])
+        ahead = FRONT_MARGIN * (1 + abs(front - states[0].front))
+        return State(pressure, float(weights @ [state.approach for state in states]), front + ahead)
 
 
 def advance(track: Track, correct: Corrector, speed_number: float) -> Iterate:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import lapack
 
-from softlub.lubrication.solvers.finite_volume.newton import Linearisation
+from softlub.lubrication.solvers.finite_volume.equations import Linearisation
 from softlub.lubrication.solvers.finite_volume.scaled import ScaledContact
 from softlub.protocols import FloatArray
 

@@ -34,7 +34,7 @@ def contact_fields(problem: Problem, contact: ScaledContact, iterate: Iterate) -
         separation=height * gap,
         fluid_pressure_gradient=peak / half_width * gradient(nodes, fluid),
         rigid_approach=height * iterate.state.approach,
-        separation_min=height * parabola_minimum(nodes, gap),
+        separation_min=height * float(np.exp(parabola_minimum(nodes, np.log(gap)))),
         separation_central=height * parabola_value(nodes, gap, 0.0),
         rupture=half_width * rupture(nodes, fluid),
         converged=iterate.converged,

@@ -11,15 +11,17 @@ from typing import Protocol
 
 import numpy as np
 
+from softlub.lubrication.half_space import HalfSpace, HalfSpaceFFT
 from softlub.lubrication.problem import Problem
+from softlub.lubrication.solvers.finite_volume.scaled import HERTZ_BODY
 from softlub.protocols import FloatArray
 
 
 class Grid(Protocol):
-    """Maker of nodes for a problem."""
+    """Maker of the nodes and of the elasticity on them."""
 
-    def nodes(self, problem: Problem, count: int) -> FloatArray:
-        """Nodes X = x/a, ascending, shape (count,)."""
+    def space(self, problem: Problem, count: int) -> HalfSpace | HalfSpaceFFT:
+        """Scaled half-space on `count` nodes X = x/a."""
         ...
 
 
@@ -27,10 +29,10 @@ class Grid(Protocol):
 class EvenGrid:
     """Evenly spaced nodes from -L to L, as in the source; the elasticity then is a convolution."""
 
-    def nodes(self, problem: Problem, count: int) -> FloatArray:
-        """Nodes X = x/a, shape (count,)."""
+    def space(self, problem: Problem, count: int) -> HalfSpaceFFT:
+        """Scaled half-space on `count` nodes X = x/a."""
         reach = problem.domain / problem.hertz.half_width
-        return np.linspace(-reach, reach, count)
+        return HalfSpaceFFT(HERTZ_BODY, np.linspace(-reach, reach, count))
 
 
 @dataclass(frozen=True)
@@ -53,13 +55,13 @@ class GradedGrid:
     edge_min: float = 0.05
     edge_max: float = 0.6
 
-    def nodes(self, problem: Problem, count: int) -> FloatArray:
-        """Nodes X = x/a, shape (count,)."""
+    def space(self, problem: Problem, count: int) -> HalfSpace:
+        """Scaled half-space on `count` nodes X = x/a."""
         hertz = problem.hertz
         reach = problem.domain / hertz.half_width
         roughness = problem.rms_roughness / hertz.gap_scale
         edge = float(np.clip(roughness ** (2 / 3), self.edge_min, self.edge_max))
-        return graded_nodes(reach, edge, self.middle, count)
+        return HalfSpace(HERTZ_BODY, graded_nodes(reach, edge, self.middle, count))
 
 
 def graded_nodes(reach: float, edge: float, middle: float, count: int) -> FloatArray:
@@ -67,7 +69,7 @@ def graded_nodes(reach: float, edge: float, middle: float, count: int) -> FloatA
     outermost = float(_parameter(np.array([reach]), edge, middle)[0][0])
     wanted = np.linspace(0, outermost, (count + 1) // 2) if count % 2 else _half_steps(outermost, count)
     table = reach * np.linspace(0, 1, 400) ** 3
-    x = np.interp(wanted, _parameter(table, edge, middle)[0], table)
+    x: FloatArray = np.interp(wanted, _parameter(table, edge, middle)[0], table)
     for _ in range(50):
         value, slope = _parameter(x, edge, middle)
         step = (wanted - value) / slope
@@ -83,7 +85,7 @@ def graded_nodes(reach: float, edge: float, middle: float, count: int) -> FloatA
 
 def _half_steps(outermost: float, count: int) -> FloatArray:
     """Positive parameters of an even number of nodes."""
-    return outermost * (np.arange(count // 2) + 0.5) / (0.5 * (count - 1))
+    return np.linspace(0.5, 0.5 * count - 0.5, count // 2) * (2 * outermost / (count - 1))
 
 
 def _parameter(x: FloatArray, edge: float, middle: float) -> tuple[FloatArray, FloatArray]:

@@ -6,13 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from softlub.lubrication.half_space import HalfSpace
+from softlub.lubrication.half_space import HalfSpaceFFT
 from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.finite_volume.dense import Elimination
+from softlub.lubrication.solvers.finite_volume.equations import State
 from softlub.lubrication.solvers.finite_volume.grid import Grid
-from softlub.lubrication.solvers.finite_volume.newton import Iterate, State, StepSolver, solve_speed
-from softlub.lubrication.solvers.finite_volume.scaled import HERTZ_BODY, ScaledContact, scale
+from softlub.lubrication.solvers.finite_volume.newton import Iterate, StepSolver, solve_speed
+from softlub.lubrication.solvers.finite_volume.scaled import ScaledContact, scale
+from softlub.lubrication.solvers.finite_volume.transform import Transforms
 from softlub.protocols import FloatArray
 
 
@@ -34,8 +36,9 @@ class Level:
 
 def make_level(problem: Problem, grid: Grid, nodes: int, tolerance: float, most_steps: int) -> Level:
     """The level of a number of nodes."""
-    space = HalfSpace(HERTZ_BODY, grid.nodes(problem, nodes))
-    return Level(scale(problem, space), Elimination(space.matrix()), tolerance, most_steps)
+    space = grid.space(problem, nodes)
+    step_solver = Transforms(space) if isinstance(space, HalfSpaceFFT) else Elimination(space.matrix())
+    return Level(scale(problem, space), step_solver, tolerance, most_steps)
 
 
 def refine(values: FloatArray) -> FloatArray:
@@ -60,4 +63,5 @@ def state_of(level: Level, problem: Problem, solution: LubricatedContact) -> Sta
     pressure = total * (0.5 * np.pi / float(space.widths @ total))
     centre = space.positions.size // 2
     opening = solution.separation_central / hertz.gap_scale
-    return State(pressure, opening - float((space.base_gap + space.deflection(pressure))[centre]))
+    front = float(np.searchsorted(places, solution.rupture)) - 1
+    return State(pressure, opening - float((space.base_gap + space.deflection(pressure))[centre]), front)

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from softlub.lubrication.solvers.finite_volume.continuation import Track, advance
+from softlub.lubrication.solvers.finite_volume.equations import State
 from softlub.lubrication.solvers.finite_volume.level import Level, refine
-from softlub.lubrication.solvers.finite_volume.newton import Iterate, State
+from softlub.lubrication.solvers.finite_volume.newton import Iterate
 from softlub.lubrication.solvers.finite_volume.start import rigid_start, starting_speed_number
 
 STARTS = (1.0, 3.0, 10.0)
@@ -71,21 +72,33 @@ def march_refined(level: Level, speed_numbers: Sequence[float], coarse: Sequence
     list of Iterate
     """
     found: list[Iterate] = []
-    size = level.contact.space.positions.size
-    difference = State(np.zeros(size), 0.0)
-    track: Track | None = None
+    difference: State | None = None
+    track = Track([])
     for value, below in zip(reversed(speed_numbers), reversed(coarse), strict=True):
-        start = State(refine(below.state.pressure), below.state.approach)
-        iterate = level.correct(
-            value, State(start.pressure + difference.pressure, start.approach + difference.approach)
-        )
-        if not iterate.converged and track is not None:
+        start = _refined(below.state)
+        iterate = level.correct(value, start if difference is None else _sum(start, difference, 1.0))
+        if iterate.converged:
+            track.add(float(np.log(value)), iterate.state)
+        else:
+            if not track.known:
+                begin, first = _thick_film(level)
+                track.add(float(np.log(begin)), first.state)
             iterate = advance(track, level.correct, value)
         if iterate.converged:
-            track = track or Track([])
-            track.add(float(np.log(value)), iterate.state)
-            difference = State(
-                iterate.state.pressure - start.pressure, iterate.state.approach - start.approach
-            )
+            difference = _sum(iterate.state, start, -1.0)
         found.append(iterate)
     return found[::-1]
+
+
+def _refined(state: State) -> State:
+    """A state on n nodes taken to 2n - 1."""
+    return State(refine(state.pressure), state.approach, 2 * state.front + 0.5)
+
+
+def _sum(state: State, other: State, factor: float) -> State:
+    """state + factor · other."""
+    return State(
+        state.pressure + factor * other.pressure,
+        state.approach + factor * other.approach,
+        state.front + factor * other.front,
+    )

@@ -3,67 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 import numpy as np
 
-from softlub.lubrication.solvers.finite_volume.fluxes import face_fluxes
-from softlub.lubrication.solvers.finite_volume.rows import Rows, complementarity_rows
-from softlub.lubrication.solvers.finite_volume.scaled import LOAD, ScaledContact
+from softlub.lubrication.solvers.finite_volume.equations import Linearisation, State, linearise
+from softlub.lubrication.solvers.finite_volume.front import Creep, last_pressurised, with_front
+from softlub.lubrication.solvers.finite_volume.scaled import ScaledContact
 from softlub.protocols import FloatArray
 
 LARGEST_CLOSING = 0.8
 """Largest relative fall of the separation at any node in one step."""
-NEGLIGIBLE_SLOPE = 1e-13
-"""Cavitated nodes beyond the last whose asperities are stiffer than this follow the gap instead of being unknowns."""
-FIRST_ROUNDING = 1e-3
-"""ε of the first rounded step after a two-cycle."""
-
-
-class State(NamedTuple):
-    """The unknowns of one speed in Hertz units."""
-
-    pressure: FloatArray
-    """Total pressure P, shape (n,)."""
-    approach: float
-    """H_c."""
-
-
-class Linearisation(NamedTuple):
-    """Residuals of all equations at a state, and what their derivatives are made of."""
-
-    gap: FloatArray
-    solid: FloatArray
-    law_slope: FloatArray
-    flux: FloatArray
-    conductance: FloatArray
-    by_gap: FloatArray
-    rows: Rows
-    load: float
-    """∫ P dX - π/2."""
-
-    @property
-    def residual(self) -> float:
-        """Largest residual in units of the Hertz pressure."""
-        return max(float(np.max(np.abs(self.rows.residual))), abs(self.load))
-
-    @property
-    def unknowns(self) -> int:
-        """Nodes 1 … unknowns-1 are solved for; the rest of the outlet carries no pressure worth the name."""
-        live = np.flatnonzero((self.rows.flux_weight != 0) | (np.abs(self.law_slope) > NEGLIGIBLE_SLOPE))
-        return min(int(live[-1]) + 2 if live.size else 2, self.gap.size - 1)
-
-
-def linearise(
-    contact: ScaledContact, speed_number: float, state: State, gap: FloatArray, rounding: float
-) -> Linearisation:
-    """Evaluate all equations at a state whose gap is given."""
-    solid, law_slope = contact.solid(gap)
-    fluid = state.pressure - solid
-    flux, conductance, by_gap = face_fluxes(contact.space.positions, gap, fluid, speed_number)
-    rows = Rows(*complementarity_rows(fluid, flux, conductance, contact.mass_conserving, rounding))
-    load = float(contact.space.widths @ state.pressure) - LOAD
-    return Linearisation(gap, solid, law_slope, flux, conductance, by_gap, rows, load)
+DIVERGED = 1e8
+"""A residual from which there is no way back, in units of the Hertz pressure."""
+ROUND_OFF_LIMIT = 1e-5
+"""No residual above this is put down to round-off."""
+TRUSTED_FRONT = 3
+"""Nodes by which the complementarity's front may differ from the start's and be used in the first step."""
+ROUNDING = 1e-3
+"""ε of the rounded step after a two-cycle."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,25 +73,37 @@ def solve_speed(
     state, gap = _admissible(contact, start)
     history: list[float] = []
     rounding = 0.0
+    creep = Creep()
     while True:
         equations = linearise(contact, speed_number, state, gap, rounding)
         if rounding == 0.0:
             history.append(equations.residual)
-        converged = history[-1] <= tolerance and rounding == 0.0
-        if converged or len(history) > most_steps or not np.isfinite(equations.residual):
+        converged = rounding == 0.0 and _is_solved(equations, tolerance)
+        if converged or len(history) > most_steps or not equations.residual < DIVERGED:
+            state = state._replace(front=last_pressurised(equations))
             return Iterate(state, equations, converged, len(history) - 1, tuple(history))
+        if len(history) == 1 and abs(last_pressurised(equations) - state.front) > TRUSTED_FRONT:
+            equations = with_front(equations, round(state.front))
+        elif rounding == 0.0:
+            equations = creep.overtake(equations)
         if rounding == 0.0 and _runs_in_circles(history):
-            rounding = FIRST_ROUNDING
+            rounding = ROUNDING
             continue
         state, gap = _step(contact, equations, state, step_solver)
         rounding = 0.0
+
+
+def _is_solved(equations: Linearisation, tolerance: float) -> bool:
+    """Whether the residual is below the tolerance, or so small that round-off explains it."""
+    residual = equations.residual
+    return residual <= tolerance or (residual <= ROUND_OFF_LIMIT and residual <= equations.round_off)
 
 
 def _admissible(contact: ScaledContact, start: State) -> tuple[State, FloatArray]:
     """The start with its body lifted until no gap is closed."""
     gap = contact.gap(start.pressure, start.approach)
     lift = max(0.0, 1e-3 * float(np.median(np.abs(gap))) - float(gap.min())) if gap.min() <= 0 else 0.0
-    return State(start.pressure, start.approach + lift), gap + lift
+    return start._replace(approach=start.approach + lift), gap + lift
 
 
 def _step(
@@ -149,7 +119,7 @@ def _step(
     passive = slice(equations.unknowns, None)
     pressure[passive] = contact.solid(gap[passive])[0]
     pressure[0] = contact.solid(gap[:1])[0][0]
-    return State(pressure, approach), gap
+    return State(pressure, approach, state.front), gap
 
 
 def _runs_in_circles(history: list[float]) -> bool:

@@ -22,7 +22,7 @@ class Film(NamedTuple):
     """Film between given walls."""
 
     pressure: FloatArray
-    """p_f [Pa], zero at both ends, shape (n,)."""
+    """p_f above that of the void [Pa], shape (n,)."""
     void_fraction: FloatArray
     """θ, the share of the gap without lubricant; 0 throughout under the Reynolds condition, shape (n,)."""
     converged: bool
@@ -37,6 +37,7 @@ def pressure(
     viscosity: float,
     speed: float,
     cavitation: Literal["reynolds", "mass_conserving"] = "reynolds",
+    ambient_pressure: float = 0.0,
 ) -> Film:
     """Pressure of the lubricant between rigid walls, one of which moves in +x (equation 3-2).
 
@@ -50,6 +51,8 @@ def pressure(
         η [Pa s] and v [m/s].
     cavitation : {"reynolds", "mass_conserving"}
         See `softlub.lubrication.film.Lubricant`.
+    ambient_pressure : float
+        Pressure at both ends, above that of the void [Pa].
 
     Returns
     -------
@@ -68,33 +71,41 @@ def pressure(
         raise ValueError("the separation must be positive everywhere")
     length, height = x[-1] - x[0], float(u.min())
     nodes, gap = x / length, u / height
-    fluid, outflow, iterations, settled = film_pressure(nodes, gap, 1.0, False, np.ones(x.size))
+    unit = 6 * viscosity * speed * length / height**2
+    start = np.full(x.size, ambient_pressure / unit)
+    fluid, inflow, iterations, settled = film_pressure(nodes, gap, 1.0, False, start, x > -np.inf)
     void = np.zeros_like(x)
     if cavitation == "mass_conserving":
-        fluid, outflow, more, settled = film_pressure(nodes, gap, 1.0, True, fluid)
+        fluid, inflow, more, settled = film_pressure(nodes, gap, 1.0, True, start, fluid > 0)
         iterations += more
-        void = np.where(fluid > 0, 0.0, outflow / gap)
-    return Film(6 * viscosity * speed * length / height**2 * fluid, void, settled, iterations)
+        void = np.where(fluid > 0, 0.0, 1 - inflow / gap)
+    return Film(unit * fluid, void, settled, iterations)
 
 
 @numba.njit(cache=True, error_model="numpy")
 def film_pressure(
-    nodes: FloatArray, gap: FloatArray, speed_number: float, mass_conserving: bool, start: FloatArray
+    nodes: FloatArray,
+    gap: FloatArray,
+    speed_number: float,
+    mass_conserving: bool,
+    ends: FloatArray,
+    start: NDArray[np.bool_],
 ) -> tuple[FloatArray, FloatArray, int, bool]:
-    """Pressure P_f and net outflow r for given gaps, in the units of `fluxes`, with the steps and their success.
+    """Pressure P_f and the flux into each node for given gaps in the units of `fluxes`; the steps, their success.
 
-    The search begins with the nodes of positive `start` pressurised.
+    The ends keep the first and last value of `ends`, shape (n,); the search begins with the nodes of `start`
+    pressurised.
     """
     couette, conductance, _ = face_fluxes(nodes, gap, np.zeros(nodes.size), speed_number)
     flux = couette.copy()
-    pressurised = start > 0
+    pressurised = start.copy()
     most = 4 * nodes.size
     fluid = np.zeros(nodes.size)
     for step in range(1, most + 1):
-        fluid = eliminate(couette, conductance, pressurised, mass_conserving)
+        fluid = eliminate(couette, conductance, pressurised, mass_conserving, ends)
         for i in range(flux.size):
             flux[i] = couette[i] - conductance[i] * (fluid[i + 1] - fluid[i])
-        _, _, weight, inflow = complementarity_rows(fluid, flux, conductance, mass_conserving, 0.0)
+        _, _, weight, source = complementarity_rows(fluid, flux, conductance, mass_conserving, 0.0)
         changed = False
         for i in range(1, nodes.size - 1):
             if pressurised[i] != (weight[i] > 0):
@@ -102,15 +113,19 @@ def film_pressure(
                 changed = True
         if not changed or step == most:
             break
-    outflow = np.zeros(nodes.size)
+    arriving = speed_number * gap
     for i in range(1, nodes.size - 1):
-        outflow[i] = flux[i] - flux[inflow[i]]
-    return fluid, outflow, step, not changed
+        arriving[i] = flux[source[i]]
+    return fluid, arriving, step, not changed
 
 
 @numba.njit(cache=True, error_model="numpy")
 def eliminate(
-    couette: FloatArray, conductance: FloatArray, pressurised: NDArray[np.bool_], mass_conserving: bool
+    couette: FloatArray,
+    conductance: FloatArray,
+    pressurised: NDArray[np.bool_],
+    mass_conserving: bool,
+    ends: FloatArray,
 ) -> FloatArray:
     """Pressures that make r = 0 at the pressurised nodes and P_f = 0 at the others.
 
@@ -119,6 +134,7 @@ def eliminate(
     count = pressurised.size
     constant = np.zeros(count)
     coupling = np.zeros(count)
+    constant[0] = ends[0]
     before = -1
     for i in range(1, count - 1):
         if not pressurised[i]:
@@ -135,6 +151,7 @@ def eliminate(
         coupling[i] = conductance[i] / diagonal
         before = i
     fluid = np.zeros(count)
+    fluid[0], fluid[count - 1] = ends[0], ends[count - 1]
     for i in range(count - 2, 0, -1):
         if pressurised[i]:
             fluid[i] = constant[i] + coupling[i] * fluid[i + 1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from softlub.lubrication.solvers.finite_volume.newton import State
+from softlub.lubrication.solvers.finite_volume.equations import State
 from softlub.lubrication.solvers.finite_volume.reynolds import film_pressure
 from softlub.lubrication.solvers.finite_volume.scaled import LOAD, ScaledContact
 
@@ -21,10 +21,13 @@ def rigid_start(contact: ScaledContact, speed_number: float) -> State:
     """Martin's pressure at this speed, with the central film adapted to the load on these nodes."""
     space = contact.space
     film = MARTIN * speed_number
+    ends = np.zeros(space.positions.size)
+    everywhere = ends == 0
     for _ in range(4):
         gap = film + space.base_gap
-        fluid = film_pressure(space.positions, gap, speed_number, False, np.ones_like(gap))[0]
+        fluid = film_pressure(space.positions, gap, speed_number, False, ends, everywhere)[0]
         film *= float(space.widths @ fluid) / LOAD
     total = fluid + contact.solid(gap)[0]
     centre = space.positions.size // 2
-    return State(total, film - float(space.deflection(total)[centre]))
+    front = float(np.flatnonzero(fluid)[-1])
+    return State(total, film - float(space.deflection(total)[centre]), front)
