@@ -89,7 +89,9 @@ class Names:
             raise _refused(place, name, f"needs its parameters: {{kind: {name}, {needed}}}")
         bare = [kind for kind, part in kinds.items() if not _required(part)]
         known = [*files, *bare]
-        raise _refused(place, name, f"no block of this name in {self.folder / folder}; {did_you_mean(name, known)}")
+        raise _refused(
+            place, name, f"no block of this name in {self.folder / folder}; {did_you_mean(name, known)}"
+        )
 
 
 def _places(scene: Any) -> Iterator[tuple[str, dict[str, Any], str]]:

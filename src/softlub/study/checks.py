@@ -11,7 +11,6 @@ from softlub.study.drawings import DRAWINGS, NEEDS
 from softlub.study.figures import Figure
 from softlub.study.messages import Problem
 from softlub.study.parsed import Study
-from softlub.study.solvers import MODULES
 
 MOST_CURVES = 500_000
 """Curves of a study: 500 jobs of 1,000."""
@@ -43,14 +42,21 @@ def _solver_problems(study: Study) -> Iterator[Problem]:
             study, "lubricant.cavitation"
         ):
             yield Problem(
-                "solver", f"{solver.name} knows the cavitation reynolds only; allowed here: auto, finite_volume"
+                "solver",
+                f"{solver.name} knows the cavitation reynolds only; allowed here: auto, finite_volume",
             )
         if solver.name == "bml" and "none" in _values(study, "contact_law.name"):
-            yield Problem("solver", "bml needs asperity contact, and contact_law is none; allowed here: auto, ehl, …")
+            yield Problem(
+                "solver", "bml needs asperity contact, and contact_law is none; allowed here: auto, ehl, …"
+            )
 
 
 def _figure_problems(study: Study) -> Iterator[Problem]:
-    there = {"solver": len(study.solvers) > 1, "field": bool(study.sweeps), "sample": study.sample is not None}
+    there = {
+        "solver": len(study.solvers) > 1,
+        "field": bool(study.sweeps),
+        "sample": study.sample is not None,
+    }
     for figure in study.figures:
         needs = DRAWINGS[figure.draw].needs
         if needs and not there[needs]:
@@ -62,7 +68,8 @@ def _option_problems(study: Study, figure: Figure) -> Iterator[Problem]:
     speed = figure.options.get("speed")
     if speed is not None and all(abs(math.log(speed / own)) > 0.1 for own in study.speeds):
         yield Problem(
-            "figures", f"{figure.name} asks for {speed:g} m/s, which is not among the speeds of the grid; add it there"
+            "figures",
+            f"{figure.name} asks for {speed:g} m/s, which is not among the speeds of the grid; add it there",
         )
     for name in figure.options.get("solvers", ()):
         if name not in [solver.name for solver in study.solvers]:
@@ -71,7 +78,9 @@ def _option_problems(study: Study, figure: Figure) -> Iterator[Problem]:
 
 def _grid_problems(study: Study) -> Iterator[Problem]:
     if study.sample is not None and study.sweeps:
-        yield Problem("grid", "a sample and swept fields exclude each other; put the fields among the sample's ranges")
+        yield Problem(
+            "grid", "a sample and swept fields exclude each other; put the fields among the sample's ranges"
+        )
     curves = math.prod([len(study.loads), *(len(sweep.values) for sweep in study.sweeps)])
     if curves > MOST_CURVES:
         yield Problem("grid", f"makes {curves} curves; allowed: {MOST_CURVES} at most")

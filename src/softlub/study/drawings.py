@@ -59,8 +59,12 @@ DRAWINGS: dict[str, Drawing] = {
     "sweep_comparison": Drawing(fields=True, needs="solver", options={"speed": SPEED}),
     "module_comparison": Drawing(fields=True, needs="solver", options={"speed": SPEED, "solvers": MODULES}),
     "parameter_study": Drawing(needs="field"),
-    "regime_map": Drawing(needs="sample", options={"cells": Quantity(Unit("1", at_least=2, at_most=500), whole=True)}),
-    "sensitivity": Drawing(needs="sample", options={"bins": Quantity(Unit("1", at_least=2, at_most=500), whole=True)}),
+    "regime_map": Drawing(
+        needs="sample", options={"cells": Quantity(Unit("1", at_least=2, at_most=500), whole=True)}
+    ),
+    "sensitivity": Drawing(
+        needs="sample", options={"bins": Quantity(Unit("1", at_least=2, at_most=500), whole=True)}
+    ),
 }
 
 NEEDS = {
@@ -68,4 +72,3 @@ NEEDS = {
     "field": "a swept field of the scene, such as grid: {scene.body.material.young_modulus: [10 MPa, 20 MPa]}",
     "sample": "a designed sample: grid.sample",
 }
-

@@ -72,7 +72,6 @@ class Quantity(Entry):
         return {"anyOf": [{"type": "number", **number}, {"type": "string", "pattern": rf"^\s*{NUMBER}"}]}
 
 
-
 @dataclass(frozen=True)
 class Choice(Entry):
     """One of a few words; `unbuilt` are words that the design knows and this version cannot do."""

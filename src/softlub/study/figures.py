@@ -44,7 +44,9 @@ class _FigureEntry(Entry):
         if not isinstance(block, Mapping):
             raise refusal("must be the name of a drawing, or {name: …, draw: …}")
         if "draw" not in block:
-            raise refusal(f"needs the key draw; {did_you_mean(str(block.get('name', '')), tuple(DRAWINGS), 'drawings')}")
+            raise refusal(
+                f"needs the key draw; {did_you_mean(str(block.get('name', '')), tuple(DRAWINGS), 'drawings')}"
+            )
         draw = block["draw"]
         try:
             Choice(tuple(DRAWINGS)).read(draw)
@@ -72,7 +74,9 @@ def _options(draw: str, block: Mapping[str, Any]) -> dict[str, Any]:
         if key in ("name", "draw"):
             continue
         if key not in known:
-            raise refusal(f"unknown option {key}; {did_you_mean(str(key), ('name', 'draw', *known), 'options')}")
+            raise refusal(
+                f"unknown option {key}; {did_you_mean(str(key), ('name', 'draw', *known), 'options')}"
+            )
         try:
             options[key] = known[key].read(value)
         except PydanticCustomError as error:

@@ -25,12 +25,16 @@ class Sample(StudyModel):
 
     points: Annotated[int, Quantity(Unit("1", at_least=1, at_most=500_000), whole=True)]
     seed: Annotated[int, Quantity(Unit("1", at_least=0, at_most=2**31 - 1), whole=True)] = 0
-    ranges: Annotated[dict[str, Any], Field(json_schema_extra={"additionalProperties": range_schema(_ANY_QUANTITY, False)})]
+    ranges: Annotated[
+        dict[str, Any], Field(json_schema_extra={"additionalProperties": range_schema(_ANY_QUANTITY, False)})
+    ]
 
     @model_validator(mode="after")
     def _ranges_have_keys(self) -> Sample:
         if not self.ranges:
-            raise ValueError("ranges is empty; allowed: fields of the scene, such as scene.body.shape.radius, and load")
+            raise ValueError(
+                "ranges is empty; allowed: fields of the scene, such as scene.body.shape.radius, and load"
+            )
         for key in self.ranges:
             if key != "load" and not key.startswith(SWEPT):
                 raise ValueError(f"range {key}: unknown; allowed: fields of the scene, {SWEPT}…, and load")

@@ -54,7 +54,10 @@ class StudyError(Exception):
     def __str__(self) -> str:
         if len(self.problems) == 1:
             return f"{self.where}: {self.problems[0]}"
-        lines = [f"{self.where}: {len(self.problems)} problems", *(f"  {problem}" for problem in self.problems)]
+        lines = [
+            f"{self.where}: {len(self.problems)} problems",
+            *(f"  {problem}" for problem in self.problems),
+        ]
         return "\n".join(lines)
 
 

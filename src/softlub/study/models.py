@@ -57,5 +57,7 @@ class StudyFile(StudyModel):
         names = [figure.name.lower() for figure in self.figures]
         twice = {name for name in names if names.count(name) > 1}
         if twice:
-            raise ValueError(f"two figures have the name {', '.join(sorted(twice))}; give each a name of its own")
+            raise ValueError(
+                f"two figures have the name {', '.join(sorted(twice))}; give each a name of its own"
+            )
         return self

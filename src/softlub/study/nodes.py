@@ -64,7 +64,9 @@ class Node:
         return tuple(f"{self.path.removesuffix('.pdf')}.{suffix}" for suffix in FIGURE_FORMATS)
 
 
-def make_node(kind: str, slug: str, spec: Mapping[str, Any], inputs: Iterable[Node] = (), name: str = "") -> Node:
+def make_node(
+    kind: str, slug: str, spec: Mapping[str, Any], inputs: Iterable[Node] = (), name: str = ""
+) -> Node:
     """A node with its key.
 
     Parameters
@@ -152,6 +154,8 @@ def merge(plans: Iterable[Plan]) -> Plan:
         chapters.update(plan.chapters)
         for node in plan.nodes:
             if names.setdefault((node.kind, node.name), node.key) != node.key:
-                raise StudyError(node.name, [Problem("", "two different studies have this name; rename one file")])
+                raise StudyError(
+                    node.name, [Problem("", "two different studies have this name; rename one file")]
+                )
             merged.setdefault(node.key, node)
     return Plan(tuple(merged.values()), chapters)

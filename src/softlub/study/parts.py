@@ -39,18 +39,18 @@ SOLVERS: dict[str, type] = {
 LUBRICANT: type = Lubricant
 
 _MESHED = "meshed shapes come with the finite-element body"
-UNBUILT_SHAPES = {name: _MESHED for name in ("half_cylinder", "triangle", "wiper", "profile")}
-UNBUILT_MATERIALS = {
-    name: "only linear elasticity is there" for name in ("neo_hooke", "mooney_rivlin", "hyperelastic", "viscoelastic")
-}
+UNBUILT_SHAPES = dict.fromkeys(("half_cylinder", "triangle", "wiper", "profile"), _MESHED)
+UNBUILT_MATERIALS = dict.fromkeys(
+    ("neo_hooke", "mooney_rivlin", "hyperelastic", "viscoelastic"), "only linear elasticity is there"
+)
 UNBUILT_SURFACES = {"measured": "topographies are not read yet"}
 UNBUILT_LAWS = {"boundary_element": "rough contact is not solved yet"}
-UNBUILT_STIFFNESS = {name: "meshed bodies are not there yet" for name in ("initial", "deformed", "auto")}
+UNBUILT_STIFFNESS = dict.fromkeys(("initial", "deformed", "auto"), "meshed bodies are not there yet")
 UNBUILT_KEYS: dict[type, dict[str, str]] = {
-    SelfAffine: {
-        key: "surfaces are used by their spectrum and none is synthesised"
-        for key in ("size", "points", "seed", "realisations")
-    },
+    SelfAffine: dict.fromkeys(
+        ("size", "points", "seed", "realisations"),
+        "surfaces are used by their spectrum and none is synthesised",
+    ),
     Lubricant: {"flow_factor": "the film flows as between smooth walls"},
 }
 """Keys of the design that this version does not know yet, and what it does instead."""

@@ -72,7 +72,7 @@ def _panels(study: Study) -> tuple[list[Node], list[str]]:
             spec = {
                 "stage": "panel",
                 "revision": REVISIONS["panel"],
-                "scene": base_scene(study),
+                "scene": base_scene(study, solver.half_domain),
                 "sweeps": [
                     {
                         "dimension": sweep.dimension,
@@ -93,11 +93,21 @@ def _panels(study: Study) -> tuple[list[Node], list[str]]:
     return panels, labels
 
 
-def base_scene(study: Study) -> dict[str, Any]:
-    """The scene that a panel starts from: what is varied holds its first value, the domain is the accuracy's."""
+def base_scene(study: Study, half_domain: float | None = None) -> dict[str, Any]:
+    """The scene that a panel starts from: what is varied holds its first value.
+
+    Parameters
+    ----------
+    study : Study
+    half_domain : float, optional
+        The solver's own domain, which goes before the scene's, and that before the accuracy's [m].
+
+    Returns
+    -------
+    dict
+    """
     scene: dict[str, Any] = copy.deepcopy(dict(study.scene))
-    if scene["half_domain"] is None:
-        scene["half_domain"] = PRESETS[study.accuracy].half_domain
+    scene["half_domain"] = half_domain or scene["half_domain"] or PRESETS[study.accuracy].half_domain
     for sweep in study.sweeps:
         scene = paths.replaced(scene, sweep.path, _plain(sweep.values[0]))
     for path, bounds in (study.sample.ranges if study.sample else {}).items():
@@ -133,7 +143,11 @@ def _slug(spec: Mapping[str, Any]) -> str:
 
 def _study_node(study: Study, panels: list[Node], labels: list[str]) -> Node:
     # Figures read the scalars, whichever groups the file names besides.
-    outputs = {*study.outputs, *(SCALARS if study.figures else ()), *(["fields"] if needs_fields(study) else [])}
+    outputs = {
+        *study.outputs,
+        *(SCALARS if study.figures else ()),
+        *(["fields"] if needs_fields(study) else []),
+    }
     described = _description(study)
     spec = {
         "stage": "study",
@@ -177,5 +191,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [_plain(entry) for entry in value]
     return value
-
-

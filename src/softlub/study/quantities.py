@@ -110,7 +110,9 @@ def _factor(symbol: str, target: str) -> float | None:
     registry = _registry()
     try:
         units = registry.parse_units(symbol)
-        return float(registry.Quantity(1.0, units).to(registry.parse_units("" if target == "1" else target)).magnitude)
+        return float(
+            registry.Quantity(1.0, units).to(registry.parse_units("" if target == "1" else target)).magnitude
+        )
     # pint's parser lets errors of Python's tokenizer and arithmetic through; whatever it fails on is no unit.
     except Exception:
         return None

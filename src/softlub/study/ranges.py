@@ -38,7 +38,13 @@ class Values(Entry):
     def json_schema(self) -> JsonSchema:
         """One value, a list of them, or a range."""
         quantity = Quantity(self.unit).json_schema()
-        return {"anyOf": [*quantity["anyOf"], {"type": "array", "items": quantity, "minItems": 1}, range_schema(quantity)]}
+        return {
+            "anyOf": [
+                *quantity["anyOf"],
+                {"type": "array", "items": quantity, "minItems": 1},
+                range_schema(quantity),
+            ]
+        }
 
 
 def read_entry(read: Callable[[Any], float], entry: Any, index: int) -> float:
@@ -53,7 +59,9 @@ def ascending(values: list[float]) -> tuple[float, ...]:
     """The values, refused unless each is larger than the one before."""
     for before, after in zip(values, values[1:], strict=False):
         if not after > before:
-            raise refusal(f"is not in ascending order: {after:g} follows {before:g}; sort it and drop repetitions")
+            raise refusal(
+                f"is not in ascending order: {after:g} follows {before:g}; sort it and drop repetitions"
+            )
     return tuple(values)
 
 

@@ -15,8 +15,9 @@ from softlub.study import paths
 from softlub.study.accuracy import ACCURACIES
 from softlub.study.blocks import Names
 from softlub.study.checks import problems_of
+from softlub.study.fields import refusal
 from softlub.study.files import read_block
-from softlub.study.grid import SWEPT
+from softlub.study.grid import SWEPT, check_swept_key
 from softlub.study.labels import labels
 from softlub.study.messages import Problem, StudyError, did_you_mean, shown
 from softlub.study.models import StudyFile
@@ -24,7 +25,7 @@ from softlub.study.outputs import SCALARS
 from softlub.study.parsed import Sample, StandIn, Study, Sweep
 from softlub.study.scene import Scene
 from softlub.study.solvers import as_block, default_solver
-from softlub.study.sweeps import SceneReader, check_paths, check_together, read_sampled, read_sweep
+from softlub.study.sweeps import SceneReader, check_path, check_together, read_sampled, read_sweep
 
 STUDY_NAME = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -62,9 +63,13 @@ def load(
     """
     path = Path(path)
     if not STUDY_NAME.fullmatch(path.stem):
-        raise StudyError(str(path), [Problem("", "is named after its file: use letters, digits, - and _ only")])
+        raise StudyError(
+            str(path), [Problem("", "is named after its file: use letters, digits, - and _ only")]
+        )
     if accuracy is not None and accuracy not in ACCURACIES:
-        raise StudyError("accuracy", [Problem("", f"{shown(accuracy)} is unknown; {did_you_mean(accuracy, ACCURACIES)}")])
+        raise StudyError(
+            "accuracy", [Problem("", f"{shown(accuracy)} is unknown; {did_you_mean(accuracy, ACCURACIES)}")]
+        )
     reading = _Reading(path, read_block(path), Names(_config_dir(path, config_dir)))
     study = reading.study(accuracy, overrule)
     if reading.problems:
@@ -93,6 +98,22 @@ class _Reading:
         sample = self.grid.get("sample")
         ranges = sample.get("ranges") if isinstance(sample, dict) else None
         self.sampled: Raw = ranges if isinstance(ranges, dict) else {}
+        self._drop_unsweepable()
+
+    def _drop_unsweepable(self) -> None:
+        """Refuse keys that cannot be swept whatever they hold; the rest is read without them."""
+        for place, entries in (("grid", self.swept), ("grid.sample.ranges", self.sampled)):
+            for key in list(entries):
+                try:
+                    check_swept_key(str(key))
+                    check_path(
+                        str(key), [other for other in (*self.swept, *self.sampled) if other is not key]
+                    )
+                    if isinstance(entries[key], list) and not entries[key]:
+                        raise refusal("is empty; a swept field needs one value at least")
+                except PydanticCustomError as error:
+                    self._refuse(f"{place}.{key}", error.message(), None)
+                    del entries[key]
 
     def study(self, accuracy: str | None, overrule: bool) -> Study | None:
         """The study, or None where problems were found."""
@@ -119,6 +140,8 @@ class _Reading:
                 scene = paths.replaced(scene if scene is not None else {}, key.removeprefix(SWEPT), first)
             except KeyError:
                 self._refuse(f"grid.{key}", "leads through something that has no fields", None)
+                self.swept.pop(key, None)
+                self.sampled.pop(key, None)
         try:
             scene = self.names.resolved(scene)
         except StudyError as error:
@@ -139,7 +162,7 @@ class _Reading:
     def _file(self, reader: SceneReader) -> StudyFile | None:
         grid: Any = self.raw.get("grid")
         if isinstance(grid, dict):
-            grid = {key: entry for key, entry in grid.items() if key not in self.swept}
+            grid = {key: entry for key, entry in grid.items() if not str(key).startswith(SWEPT)}
             if isinstance(grid.get("solver"), list):
                 grid["solver"] = [as_block(entry) for entry in grid["solver"]]
         block = {**self.raw, **({"scene": reader.scene} if reader.scene is not None else {})}
@@ -164,7 +187,11 @@ class _Reading:
         if any(key == swept or key.startswith(f"{swept}.") for swept in [*self.swept, *self.sampled]):
             key = f"grid.{key}"
         # Where a key is missing or a rule joins several, the input is the whole block, which would say nothing.
-        quoted = "" if text.startswith("is missing") or isinstance(entry["input"], (dict, StudyFile)) else entry["input"]
+        quoted = (
+            ""
+            if text.startswith("is missing") or isinstance(entry["input"], (dict, StudyFile))
+            else entry["input"]
+        )
         return Problem(key, text, shown(quoted) if quoted != "" or entry["input"] == "" else "")
 
     def _varied(self, reader: SceneReader) -> tuple[list[Sweep], Raw]:
@@ -176,11 +203,6 @@ class _Reading:
         firsts = {key.removeprefix(SWEPT): value for key, value in self._first_values().items()}
         sweeps: list[Sweep] = []
         ranges: Raw = {}
-        try:
-            check_paths([*self.swept, *self.sampled])
-        except PydanticCustomError as error:
-            self._refuse("grid", f"a swept field {error.message()}", None)
-            return [], {}
         for key, entry in self.swept.items():
             try:
                 sweeps.append(read_sweep(key, entry, _without(firsts, key), reader))
@@ -216,7 +238,9 @@ class _Reading:
         for entry in entries if isinstance(entries, list) else []:
             key = entry.get("key") if isinstance(entry, dict) else None
             if isinstance(key, str) and not _stands_in(self.raw, key):
-                self._refuse("stand_ins", "is no key of this file; write it as it stands, such as scene.lubricant", key)
+                self._refuse(
+                    "stand_ins", "is no key of this file; write it as it stands, such as scene.lubricant", key
+                )
 
     def _refuse(self, key: str, text: str, value: Any) -> None:
         self.problems.append(Problem(key, text, "" if value is None else shown(value)))
@@ -268,7 +292,7 @@ def _assembled(
         sample=sample and Sample(sample.points, sample.seed, dict(sorted(ranges.items()))),
         solvers=solvers,
         solver_labels=tuple(
-            labels([s.name for s in solvers], [s.model_dump(by_alias=True) for s in solvers], [s.label for s in solvers])
+            labels([s.name for s in solvers], [s.options for s in solvers], [s.label for s in solvers])
         ),
         accuracy=accuracy,
         outputs=outputs,

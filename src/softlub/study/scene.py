@@ -14,7 +14,12 @@ from softlub.units import Unit
 
 Shape = Annotated[
     Any,
-    Tagged("kind", parts.models_of(parts.SHAPES), unbuilt=parts.UNBUILT_SHAPES, bare="name of a block in config/shapes"),
+    Tagged(
+        "kind",
+        parts.models_of(parts.SHAPES),
+        unbuilt=parts.UNBUILT_SHAPES,
+        bare="name of a block in config/shapes",
+    ),
 ]
 Material = Annotated[
     Any,
@@ -37,9 +42,13 @@ Surface = Annotated[
 ]
 Law = Annotated[
     Any,
-    Tagged("name", parts.models_of(parts.LAWS, "name"), unbuilt=parts.UNBUILT_LAWS, bare="name of a contact law"),
+    Tagged(
+        "name", parts.models_of(parts.LAWS, "name"), unbuilt=parts.UNBUILT_LAWS, bare="name of a contact law"
+    ),
 ]
-Lubricant = Annotated[Any, Single(parts.model_of(parts.LUBRICANT), bare="name of a block in config/lubricants")]
+Lubricant = Annotated[
+    Any, Single(parts.model_of(parts.LUBRICANT), bare="name of a block in config/lubricants")
+]
 
 
 class Body(StudyModel):
@@ -72,9 +81,12 @@ class Scene(StudyModel):
 
     def canonical(self) -> dict[str, Any]:
         """The scene in SI with every default filled in, as nodes of the plan carry it; without shear strength."""
-        law = self.contact_law or parts.model_of(
-            parts.LAWS[name := "none" if self.surface.kind == "smooth" else "persson"], "name", name
-        )()
+        law = (
+            self.contact_law
+            or parts.model_of(
+                parts.LAWS[name := "none" if self.surface.kind == "smooth" else "persson"], "name", name
+            )()
+        )
         return {
             "body": {
                 "shape": self.body.shape.model_dump(),

@@ -34,7 +34,8 @@ def study_files(config_dir: str | os.PathLike[str]) -> dict[str, Path]:
     for file in sorted(file for suffix in ("yaml", "yml") for file in folder.glob(f"*.{suffix}")):
         if file.stem in found:
             raise StudyError(
-                str(file), [Problem("", f"has the name of another study, {found[file.stem]}; rename one of them")]
+                str(file),
+                [Problem("", f"has the name of another study, {found[file.stem]}; rename one of them")],
             )
         found[file.stem] = file
     return found
@@ -67,14 +68,20 @@ def select(config: Mapping[str, Any], config_dir: str | os.PathLike[str]) -> lis
     ]
     accuracy = config.get("accuracy", "standard")
     if accuracy not in ACCURACIES:
-        problems.append(Problem("accuracy", f"is unknown; {did_you_mean(str(accuracy), ACCURACIES)}", shown(accuracy)))
+        problems.append(
+            Problem("accuracy", f"is unknown; {did_you_mean(str(accuracy), ACCURACIES)}", shown(accuracy))
+        )
     known = study_files(config_dir)
     names = config.get("studies", [])
     if "study" not in config and not (isinstance(names, list) and names):
         problems.append(Problem("studies", "must list the studies to be made, one or more", shown(names)))
     elif "study" not in config:
         problems += [
-            Problem("studies", f"no such file in {Path(config_dir) / 'studies'}; {did_you_mean(str(name), list(known))}", shown(name))
+            Problem(
+                "studies",
+                f"no such file in {Path(config_dir) / 'studies'}; {did_you_mean(str(name), list(known))}",
+                shown(name),
+            )
             for name in names
             if name not in known
         ]
@@ -90,5 +97,7 @@ def _from_anywhere(path: Path, known: Mapping[str, Path]) -> Path:
         return known[str(path)]
     namesake = known.get(path.stem)
     if namesake is not None and path.exists() and not path.samefile(namesake):
-        raise StudyError(str(path), [Problem("", f"has the name of another study, {namesake}; rename your file")])
+        raise StudyError(
+            str(path), [Problem("", f"has the name of another study, {namesake}; rename your file")]
+        )
     return path

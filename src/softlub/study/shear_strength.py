@@ -53,7 +53,12 @@ class _ShearStrengthEntry(Entry):
             "required": list(_TABLE_KEYS),
             "additionalProperties": False,
         }
-        wrapped = {"type": "object", "properties": {"table": table}, "required": ["table"], "additionalProperties": False}
+        wrapped = {
+            "type": "object",
+            "properties": {"table": table},
+            "required": ["table"],
+            "additionalProperties": False,
+        }
         text = {"type": "string", "pattern": rf"^\s*{NUMBER}"}
         return {"anyOf": [{"type": "number", "minimum": 0}, text, table, wrapped]}
 

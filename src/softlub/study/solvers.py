@@ -16,22 +16,33 @@ from softlub.units import Unit
 _Speed = Annotated[float, Quantity(Unit("m/s", above=0))]
 
 MODULES = ("bml", "mehl", "ehl")
-"""The source's own solvers."""
+"""The source's own solvers; their grid is even whatever the accuracy."""
 
 
 class SolverModel(PartModel):
-    """Solver with its settings, and the speeds that it is asked for."""
+    """Solver with its settings, and the speeds and the domain that it is asked for."""
 
     label: str | None = None
     lowest: _Speed | None = Field(default=None, alias="from")
     highest: _Speed | None = Field(default=None, alias="to")
     every: Annotated[int, Quantity(Unit("1", at_least=1, at_most=1000), whole=True)] = 1
+    half_domain: Annotated[float, Quantity(Unit("m", above=0))] | None = None
 
     def speeds(self, grid: Sequence[float]) -> list[float]:
         """Those of the grid's speeds that lie between `from` and `to`, every so many of them."""
         low = 0.0 if self.lowest is None else self.lowest * (1 - 1e-9)
         high = float("inf") if self.highest is None else self.highest * (1 + 1e-9)
         return [speed for speed in grid if low <= speed <= high][:: self.every]
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """What tells it from others of its name, as its label says."""
+        own = {name: getattr(self, name) for name in parts.field_names(self.part)} if self.part else {}
+        return {
+            name: value
+            for name, value in {**own, "half_domain": self.half_domain}.items()
+            if value is not None
+        }
 
 
 Solver = Annotated[
@@ -58,16 +69,18 @@ def settings(solver: Any, accuracy: Accuracy) -> dict[str, Any]:
     dict
     """
     given = {name: getattr(solver, name) for name in parts.field_names(parts.SOLVERS[solver.name])}
-    order = given.pop("order", None) or accuracy.spectral_order
-    usual = accuracy.module_nodes if solver.name in MODULES else accuracy.finite_volume_nodes
-    volumes: dict[str, Any] = {"nodes": given.pop("nodes", None) or usual}
+    order = given.get("order") or accuracy.spectral_order
+    if solver.name == "spectral":
+        return {"name": "spectral", "order": order}
+    if solver.name in MODULES:
+        sweep = {"reynolds_sweep": given["sweep"]} if "sweep" in given else {}
+        return {"name": solver.name, "nodes": given["nodes"] or accuracy.module_nodes, **sweep}
+    volumes: dict[str, Any] = {"nodes": given["nodes"] or accuracy.finite_volume_nodes}
     if accuracy.grid != "graded":
         volumes["grid"] = accuracy.grid
     if solver.name == "auto":
         return {"name": "auto", "spectral": {"order": order}, "finite_volume": volumes}
-    if solver.name == "spectral":
-        return {"name": "spectral", "order": order}
-    return {"name": solver.name, **volumes, **given}
+    return {"name": solver.name, **volumes}
 
 
 def as_block(entry: Any) -> Any:

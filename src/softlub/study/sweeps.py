@@ -12,7 +12,7 @@ from pydantic_core import PydanticCustomError
 from softlub.study import paths
 from softlub.study.blocks import Names
 from softlub.study.fields import Quantity, refusal
-from softlub.study.grid import LOAD, SWEPT, check_swept_key
+from softlub.study.grid import LOAD, SWEPT
 from softlub.study.labels import labels
 from softlub.study.messages import StudyError, shown
 from softlub.study.parsed import Range, Sweep
@@ -56,7 +56,9 @@ class SceneReader:
         try:
             return Scene.model_validate(self.raw(values)).canonical()
         except ValidationError as error:
-            raise refusal("; ".join(_told(entry, values) for entry in error.errors(include_url=False))) from None
+            raise refusal(
+                "; ".join(_told(entry, values) for entry in error.errors(include_url=False))
+            ) from None
 
     def number(self, path: str, value: Any, others: Mapping[str, Any]) -> float:
         """A number of the scene [SI] as it is read at its place."""
@@ -71,12 +73,12 @@ def _told(entry: Any, values: Mapping[str, Any]) -> str:
     return str(entry["msg"]) if place in values else f"{place}: {entry['msg']}".removeprefix(": ")
 
 
-def check_paths(keys: Iterable[str]) -> None:
-    """Refuse keys of which one holds the other, or two of one dimension."""
-    for one, other in itertools.permutations(keys, 2):
-        if other.startswith(f"{one}."):
-            raise refusal(f"cannot be swept together with {other}, which lies inside it")
-        if one.rpartition(".")[2] == other.rpartition(".")[2]:
+def check_path(key: str, others: Iterable[str]) -> None:
+    """Refuse a key that lies inside another, or whose dimension would be another's."""
+    for other in others:
+        if key.startswith(f"{other}."):
+            raise refusal(f"cannot be swept together with {other}, which it lies inside of")
+        if key.rpartition(".")[2] == other.rpartition(".")[2]:
             raise refusal(f"has the same last part as {other}; both would be one dimension of the dataset")
 
 
@@ -97,13 +99,12 @@ def read_sweep(key: str, raw: Any, others: Mapping[str, Any], reader: SceneReade
     -------
     Sweep
     """
-    check_swept_key(key)
     path = key.removeprefix(SWEPT)
     if isinstance(raw, Mapping):
         numbers = read_range(raw, lambda value: reader.number(path, value, others))
         return Sweep(path, numbers, numbers)
-    if not isinstance(raw, list) or not raw:
-        raise refusal("needs a list of values, not empty, or a range {from, to, points, spacing}")
+    if not isinstance(raw, list):
+        raise refusal("needs a list of values, or a range {from, to, points, spacing}")
     own = [entry.get("label") if isinstance(entry, Mapping) else None for entry in raw]
     bare = [_without_label(entry) for entry in raw]
     values = [
@@ -146,7 +147,6 @@ def read_sampled(key: str, raw: Any, others: Mapping[str, Any], reader: SceneRea
     keys = ("from", "to", "spacing")
     if key == "load":
         return key, Range(*range_bounds(raw, Quantity(LOAD).read, keys))
-    check_swept_key(key)
     path = key.removeprefix(SWEPT)
     return path, Range(*range_bounds(raw, lambda value: reader.number(path, value, others), keys))
 
@@ -165,6 +165,7 @@ def check_together(extremes: Mapping[str, tuple[Any, ...]], reader: SceneReader)
             reader.canonical(dict(zip(extremes, corner, strict=True)))
         except PydanticCustomError as error:
             shown_values = ", ".join(
-                f"{SWEPT}{path} = {shown(value) or 'a block'}" for path, value in zip(extremes, corner, strict=True)
+                f"{SWEPT}{path} = {shown(value) or 'a block'}"
+                for path, value in zip(extremes, corner, strict=True)
             )
             raise refusal(f"{shown_values} do not go together: {error.message()}") from None
