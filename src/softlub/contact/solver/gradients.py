@@ -1,0 +1,203 @@
+"""Conjugate gradients on the free set, with a projected step: one convolution an iteration.
+
+Minimised is ½ Σ p (K p) - Σ p h over p >= 0 with a given sum; its gradient is the gap g up to the contact level.
+Every iteration
+
+1. measures the gap on the free set F = {p > 0 or g < 0}; its root mean square is the residual;
+2. preconditions it: stencil (`stencil`) plus coarse correction (`coarse`);
+3. turns it into a Polak–Ribière⁺ direction;
+4. projects the trial point onto p >= 0 and restores its load along φ, the pressure that moves all contacts alike;
+5. convolves the step to the projected trial, and takes the exact factor along it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlub.contact.solver import passes
+from softlub.contact.solver.coarse import BLOCK, CoarseCorrection
+from softlub.contact.solver.compliance import Compliance
+from softlub.contact.solver.stencil import stencil_taps
+
+RENEWAL = 0.03
+"""Relative change of the number of free points at which φ is computed anew."""
+CLIPPED_SHARE = 0.01
+"""Share of the load that a projection must clip for its full step to be preferred to the exact factor."""
+LOAD_SLACK = 1e-3
+"""Relative error of the load above which a projected trial is scaled back to it."""
+PATIENCE = 12
+"""Iterations without progress after which the search starts again from the steepest direction."""
+PROGRESS = 0.9
+"""What the residual has to be multiplied with within `PATIENCE` iterations."""
+RESTARTS = 3
+"""Restarts in a row without progress after which the search gives up."""
+
+
+@dataclass
+class Progress:
+    """Residuals of the iterations so far, over all precisions."""
+
+    residuals: list[float] = field(default_factory=list)
+    iterations: int = 0
+
+
+class FreeSetGradients:
+    """Minimiser for one grid, precision and compliance.
+
+    Parameters
+    ----------
+    compliance : Compliance
+        Convolution; its arrays serve as direction and displacement.
+    periodic : bool
+
+    Attributes
+    ----------
+    load : float
+        Sum of the pressure over the grid, dimensionless.
+    pressure, gap : ndarray, shape (nx, ny)
+        Where to begin, and where the minimisation ended.
+    """
+
+    def __init__(self, compliance: Compliance, periodic: bool) -> None:
+        self._compliance = compliance
+        self.load = 0.0
+        shape, dtype = compliance.source.shape, compliance.source.dtype
+        self.pressure: NDArray[Any] = np.zeros(shape, dtype)
+        self.gap: NDArray[Any] = np.zeros(shape, dtype)
+        self._weight: NDArray[Any] = np.zeros(shape, dtype)
+        self._preconditioned: NDArray[Any] = np.zeros(shape, dtype)
+        self._coarse = CoarseCorrection((shape[0], shape[1]), periodic, dtype)
+        self._number = dtype.type
+        self._wrap = self._number(1 if periodic else 0)
+        self._taps = stencil_taps().astype(dtype)
+        self.level = 0.0
+
+    def minimise(self, tolerance: float, limit: int, progress: Progress) -> bool:
+        """Iterate from the present pressure and gap until the residual reaches the tolerance.
+
+        Parameters
+        ----------
+        tolerance : float
+            Root mean square gap over the free set [h_rms].
+        limit : int
+            Largest number of iterations in `progress`.
+        progress : Progress
+            Extended by what is done here.
+
+        Returns
+        -------
+        bool
+            Whether the tolerance was reached.
+        """
+        self.level = float(self.gap.mean(dtype=float, where=self.pressure > 0))
+        self._compliance.source[:] = 0  # it holds the direction between iterations
+        self._steepest()
+        self._weighted_count = 0.0
+        best, since, restarts = np.inf, 0, 0
+        while True:
+            count, residual = self._measure()
+            progress.residuals.append(residual)
+            if residual <= tolerance:
+                return True
+            if residual < PROGRESS * best:
+                best, since, restarts = residual, 0, 0
+            elif since >= PATIENCE:
+                since, restarts = 0, restarts + 1
+                self._steepest()
+            if restarts > RESTARTS or progress.iterations >= limit:
+                return False
+            since += 1
+            if self._renew(count):
+                self._measure()
+            self._iterate()
+            progress.iterations += 1
+
+    def _steepest(self) -> None:
+        self._momentum_scale = 0.0
+        self._step = 1.0
+        self._last_product = 0.0
+        self._stale = True
+
+    def _measure(self) -> tuple[float, float]:
+        count, square = passes.measure(
+            self.pressure,
+            self.gap,
+            self._weight,
+            self._number(self.level),
+            BLOCK,
+            self._coarse.gap_sums,
+            self._coarse.weight_sums,
+        )
+        return count, float(np.sqrt(square / count))
+
+    def _renew(self, count: float) -> bool:
+        """Compute φ anew where the free set has changed enough; whether it was."""
+        if not self._stale and abs(count - self._weighted_count) <= RENEWAL * self._weighted_count:
+            return False
+        passes.stencil_of_free_set(
+            self.pressure, self.gap, self._number(self.level), self._taps, self._wrap, self._weight
+        )
+        self._weighted_count = count
+        self._stale = False
+        return True
+
+    def _iterate(self) -> None:
+        number = self._number
+        shift = self._coarse.mean_gap()
+        product, product_last, _ = passes.precondition(
+            self.pressure,
+            self.gap,
+            self._weight,
+            number(self.level),
+            number(shift),
+            self._taps,
+            self._wrap,
+            self._coarse.correction(),
+            BLOCK,
+            self._preconditioned,
+        )
+        momentum = 0.0
+        if self._momentum_scale > 0 and self._last_product > 0:
+            momentum = max(0.0, (product - product_last) / self._last_product) * self._momentum_scale
+        self._last_product = product
+        slope, clipped = self._project(momentum, shift)
+        energy = self._compliance.apply()
+        factor = self._factor(-slope / energy if energy > 0 else 0.0, clipped)
+        carrying, gaps, _ = passes.advance(
+            self.pressure, self.gap, self._compliance.source, self._compliance.result, number(factor)
+        )
+        self.level = gaps / carrying
+
+    def _project(self, momentum: float, shift: float) -> tuple[float, float]:
+        """Write the step to the projected trial into the compliance's source; return its slope and clipped share."""
+        number, move = self._number, self._compliance.source
+        total, weight, clipped = passes.search(
+            self.pressure, self._weight, self._preconditioned, move, number(momentum), number(self._step)
+        )
+        lift = (self.load - total) / weight
+        level = number(self.level + shift)
+        slope, total = passes.project(
+            self.pressure, self.gap, self._weight, move, number(self._step), number(lift), level
+        )
+        if abs(total - self.load) > LOAD_SLACK * self.load:
+            slope = passes.rescale(self.pressure, self.gap, move, number(self.load / total), level)
+        return slope, clipped / self.load
+
+    def _factor(self, exact: float, clipped: float) -> float:
+        """Factor of the step that is taken, and the state for the next direction."""
+        if clipped > CLIPPED_SHARE and exact > 0.5:
+            taken = 1.0
+        elif exact > 1:
+            taken = 1.0 if clipped > 0 else min(exact, passes.room(self.pressure, self._compliance.source))
+        else:
+            taken = max(exact, 0.0)
+        self._momentum_scale = 1 / self._step
+        if exact < 0.1:
+            self._stale = True
+            self._momentum_scale = 0.0
+        self._step *= min(2.0, max(0.5, exact))
+        return taken
