@@ -48,7 +48,7 @@ class SelfAffineFit:
         ValueError
             If the fitted H lies outside (0, 1].
         """
-        long_cutoff = self.lowest if self.lowest < self.rolloff else None
+        long_cutoff = self.lowest if self.lowest < self.rolloff * (1 - 1e-9) else None
         unit = SelfAffine(1.0, self.hurst, self.rolloff, self.highest, long_cutoff)
         return SelfAffine(
             float(np.sqrt(self.level / unit.level)), self.hurst, self.rolloff, self.highest, long_cutoff

@@ -51,7 +51,7 @@ def read(
     ------
     ValueError
         If the file cannot be read, has no such channel, holds a line, has missing points and no rule for them, states
-        no unit or another one, has pixels that are not square, infinite heights or heights that are all equal. The
+        no unit or another one, has pixels that are not square, or heights that are all equal. The
         message names the file.
     FileNotFoundError
         If there is no such file.
@@ -156,27 +156,30 @@ def _listed(available: list[Any]) -> str:
 
 def _unit_to_give(path: Path, channel: Any, unit: str | None) -> dict[str, str]:
     """The unit that the reader has to be told, if any."""
-    stated = None if unit is None else unit.replace("um", "µm").replace("μ", "µ")
+    stated = _one_micro(unit)
     if channel.unit is None:
         if stated is None:
             raise ValueError(f"{path}: the file states no unit of length; state one, as unit: µm")
         return {"unit": stated}
-    if stated not in (None, channel.unit):
+    if stated not in (None, _one_micro(channel.unit)):
         raise ValueError(f"{path}: the file states its unit as {channel.unit}, not {unit}; leave unit out")
     return {}
+
+
+def _one_micro(unit: str | None) -> str | None:
+    """The unit with one of the three ways to write a micrometre."""
+    return None if unit is None else unit.replace("um", "µm").replace("μ", "µ")
 
 
 def _checked(path: Path, heights: Any) -> NDArray[np.float64]:
     """Heights as a plain array, or the reason why they are no surface."""
     plain = np.array(np.ma.getdata(heights), dtype=np.float64)
-    undefined = np.ma.getmaskarray(heights) | np.isnan(plain)
+    undefined = np.ma.getmaskarray(heights) | ~np.isfinite(plain)
     if undefined.any():
         raise ValueError(
-            f"{path}: {int(undefined.sum())} of {undefined.size} points are missing (not measured or NaN); "
+            f"{path}: {int(undefined.sum())} of {undefined.size} points are missing (not measured, NaN or infinite); "
             "say what to do with them, as missing: fill"
         )
-    if not np.isfinite(plain).all():
-        raise ValueError(f"{path}: {int(np.count_nonzero(~np.isfinite(plain)))} heights are infinite")
     if min(plain.shape) < 2:
         raise ValueError(f"{path}: {' × '.join(map(str, plain.shape))} points: at least 2 a side are needed")
     if np.ptp(plain) == 0:
