@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -26,21 +26,6 @@ HEADINGS: dict[Word, str] = {
     "not computed": "Not computed",
     "missing": "No check",
 }
-
-
-def studies_of(figure: str, claims: Iterable[Claim]) -> tuple[str, ...]:
-    """Studies whose datasets the caption of a figure reads.
-
-    Parameters
-    ----------
-    figure : str
-    claims : iterable of Claim
-
-    Returns
-    -------
-    tuple of str
-    """
-    return tuple(dict.fromkeys(claim.study for claim in claims if figure in claim.figures and claim.study))
 
 
 def caption(
@@ -62,7 +47,7 @@ def caption(
         What was drawn.
     claims : sequence of Claim, optional
     open_dataset : callable, optional
-        Study's name -> dataset or None; see `studies_of`.
+        Study's name -> dataset or None; see `table.studies_of`.
 
     Returns
     -------
@@ -145,8 +130,8 @@ def _stand_ins(dataset: xr.Dataset) -> str:
 def _stand_in(entry: Any) -> tuple[str, str]:
     if not isinstance(entry, dict):
         return "", str(entry)
-    name = str(entry.get("name", entry.get("path", "")))
-    return name, str(entry.get("reason", entry.get("value", "")))
+    name = str(entry.get("key", ""))
+    return name, str(entry.get("reason", ""))
 
 
 def escape(text: str) -> str:

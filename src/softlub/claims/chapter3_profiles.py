@@ -56,21 +56,21 @@ def boundary_profile(datasets: Datasets) -> Verdict:
     approximate = number(at_speed(curve(law(dataset, "exponential")), LOWEST), "load_share_solid")
     return judge(
         share > 0.5 and 1.0 < width < 1.25,
-        f"asperity share {share:.3f}, pressure {width:.3f} times as wide at half its height as Hertz's",
+        f"asperity share {share:.3f}, pressure {width:.3f} times as wide at a tenth of its height as Hertz's",
         "with the full Persson integral; "
         f"with the source's own law 3-11 the share is {approximate:.2f}, since that law cannot carry the load at rest",
     )
 
 
 def _relative_width(point: xr.Dataset) -> float:
-    """Width of the total pressure at half its maximum, over that of Hertz's ellipse, √3 a."""
+    """Width of the total pressure at a tenth of its maximum, where roughness widens a contact, over that of Hertz's."""
     x, fluid = field(point, "fluid_pressure")
     total = fluid + field(point, "solid_pressure")[1]
     top = int(np.argmax(total))
-    half = total[top] / 2
-    left = np.interp(half, total[: top + 1], x[: top + 1])
-    right = np.interp(-half, -total[top:], x[top:])
-    return float((right - left) / (np.sqrt(3) * hertz_half_width(point)))
+    level = 0.1 * total[top]
+    left = np.interp(level, total[: top + 1], x[: top + 1])
+    right = np.interp(-level, -total[top:], x[top:])
+    return float((right - left) / (2 * np.sqrt(1 - 0.1**2) * hertz_half_width(point)))
 
 
 @check("claim_3_14")

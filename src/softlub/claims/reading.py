@@ -75,7 +75,9 @@ def solver(dataset: xr.Dataset, *names: str, option: str = "", without: str = "\
         raise NotComputed("the dataset compares no solvers")
     labels = [str(label) for label in dataset["solver"].values]
     for name in names:
-        for position, label in enumerate(labels):
+        # A label without options goes first.
+        for position in sorted(range(len(labels)), key=lambda i: len(labels[i])):
+            label = labels[position]
             if label.split()[0].rstrip(",(") == name and option in label and without not in label:
                 return dataset.isel(solver=position)
     raise NotComputed(f"the dataset holds no solver {' or '.join(names)} {option}".rstrip())

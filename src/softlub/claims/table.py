@@ -6,7 +6,7 @@ import csv
 import io
 import os
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -60,6 +60,21 @@ def _claim(row: dict[str, str]) -> Claim:
     figures = tuple(name.strip() for name in row["figure"].split(";") if name.strip())
     plain = {name: row[name] for name in ("id", "kind", "what", "quantity", "value", "unit", "study")}
     return Claim(chapter=int(row["chapter"]), line=int(row["line"]), figures=figures, **plain)
+
+
+def studies_of(figure: str, claims: Iterable[Claim]) -> tuple[str, ...]:
+    """Studies whose datasets the caption of a figure reads.
+
+    Parameters
+    ----------
+    figure : str
+    claims : iterable of Claim
+
+    Returns
+    -------
+    tuple of str
+    """
+    return tuple(dict.fromkeys(claim.study for claim in claims if figure in claim.figures and claim.study))
 
 
 COLUMNS = (

@@ -77,7 +77,8 @@ def _look(curve: Curve) -> dict[str, Any]:
             "zorder": 3,
         }
     if solver in style.NEWTON_SOLVERS:
-        return {"color": style.BLACK, "linestyle": "-"}
+        plain = str(curve.data["solver"].values) == solver
+        return {"color": style.BLACK if plain else style.GREY, "linestyle": "-" if plain else "--"}
     few = np.isfinite(curve.values("friction_coefficient")).sum() < 25
     return {
         "color": style.CYCLE[curve.position % len(style.CYCLE)],
