@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import scipy.fft
 
+from softlub.surfaces.line_spectrum import line_density
 from softlub.surfaces.profile import Profile
 from softlub.surfaces.spectrum import SelfAffine
 from softlub.surfaces.synthesis import resolved_cutoff, uniform_phases
@@ -44,7 +45,7 @@ def synthesize_profile(spectrum: SelfAffine, length: float, points: int, seed: i
     spacing = length / points
     cutoff = resolved_cutoff(spectrum, spacing)
     wavevector = 2 * np.pi / length * np.arange(1, (points - 1) // 2 + 1)
-    amplitude = np.sqrt(spectrum.profile_density(np.minimum(wavevector, spectrum.cutoff)))
+    amplitude = np.sqrt(line_density(spectrum, wavevector))
     amplitude[wavevector >= cutoff] = 0.0
     square_sum = float(np.sum(amplitude**2))
     if square_sum == 0:

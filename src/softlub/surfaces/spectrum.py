@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import beta, betainc, gamma
 
 from softlub.units import HurstExponent, Length, Wavevector
 
@@ -97,35 +96,6 @@ class SelfAffine:
         branch = self.level * np.maximum(q / self.rolloff, 1.0) ** (-2 - 2 * self.hurst)
         return np.where((q >= self.plateau_start) & (q <= self.cutoff), branch, 0.0)
 
-    def profile_density(self, wavevector: ArrayLike) -> NDArray[np.float64]:
-        """One-sided spectrum of a line cut through the surface, C1D+(q) = 4 ∫ C(√(q² + y²)) dy over y > 0 [m³].
-
-        Exact with all cut-offs, so that h_rms² = ∫ C1D+ dq. Far from them it is `profile_factor`·q·C(q).
-
-        Parameters
-        ----------
-        wavevector : array_like
-            Positive wavevectors along the line [1/m], of any shape.
-        """
-        q = np.asarray(wavevector, dtype=float)
-
-        def cross(limit: float) -> NDArray[np.float64]:
-            return np.sqrt(np.maximum(limit**2 - q**2, 0.0))
-
-        plateau = cross(self.rolloff) - cross(self.plateau_start)
-        # ∫ (q² + y²)^(-1-H) dy by v = q²/(q² + y²); the parts near v = 0 do not cancel.
-        order = self.hurst + 0.5
-        near = betainc(order, 0.5, (q / np.maximum(q, self.rolloff)) ** 2)
-        far = betainc(order, 0.5, np.minimum((q / self.cutoff) ** 2, 1.0))
-        branch = (
-            q
-            / 2
-            * beta(order, 0.5)
-            * (q / self.rolloff) ** (-2 - 2 * self.hurst)
-            * np.maximum(near - far, 0.0)
-        )
-        return 4 * self.level * (plateau + branch)
-
     def moment(self, power: int) -> float:
         """∫ q^power C(q) dq over the whole spectrum, in closed form [m^(3 - power)]."""
         return self.level * self._relative_moment(power)
@@ -147,11 +117,6 @@ class SelfAffine:
     def nayak_parameter(self) -> float:
         """Nayak's bandwidth m0 m4 / m2² of a line's moments, 3/2 ∫Cq dq ∫Cq⁵ dq / (∫Cq³ dq)²."""
         return 1.5 * self.moment(1) * self.moment(5) / self.moment(3) ** 2
-
-
-def profile_factor(hurst: float) -> float:
-    """C1D+(q) / (q C(q)) of an unlimited self-affine branch (equation 4-6, whose π holds at H = 1 only)."""
-    return float(2 * np.sqrt(np.pi) * gamma(hurst + 0.5) / gamma(hurst + 1))
 
 
 @dataclass(frozen=True)
