@@ -216,9 +216,7 @@ def test_specs_are_json_and_keys_are_safe_in_paths(planned):
 
 
 def test_reading_and_planning_loads_no_heavy_library():
-    code = (
-        "import sys, softlub.study; "
-        "print(sorted({'scipy', 'xarray', 'numba', 'matplotlib', 'felupe', 'SurfaceTopography', 'pint'} & set(sys.modules)))"
-    )
+    heavy = {"scipy", "xarray", "numba", "matplotlib", "felupe", "SurfaceTopography", "pint"}
+    code = f"import sys, softlub.study; print(sorted({heavy} & set(sys.modules)))"
     shown = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     assert shown.stdout.strip() == "[]"

@@ -407,7 +407,7 @@ def test_the_configuration_names_studies(tmp_path, block):
         ({"studies": ["mine"], "accuracy": "drafft"}, "did you mean draft?"),
         ({"studies": ["mine"], "acuracy": "draft"}, "did you mean accuracy?"),
     ):
-        with pytest.raises(StudyError, match="config.yaml") as caught:
+        with pytest.raises(StudyError, match=r"config\.yaml") as caught:
             select(config, tmp_path)
         assert part in str(caught.value)
 

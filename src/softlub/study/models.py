@@ -16,10 +16,10 @@ from softlub.study.scene import Scene
 from softlub.study.solvers import Solver
 
 _UNBUILT_KINDS = {
-    "rough_contact": "rough contact is not solved yet",
+    "rough_contact": "rough contact is not taken into studies yet",
     "solid": "finite elements are not there yet",
     "equivalence": "finite elements are not there yet",
-    "surface": "surfaces are not synthesised or measured yet",
+    "surface": "topographies are not taken into studies yet",
     "material": "only linear elasticity is there",
     "benchmark": "benchmarks have a folder of their own, benchmarks/",
 }

@@ -43,8 +43,8 @@ UNBUILT_SHAPES = dict.fromkeys(("half_cylinder", "triangle", "wiper", "profile")
 UNBUILT_MATERIALS = dict.fromkeys(
     ("neo_hooke", "mooney_rivlin", "hyperelastic", "viscoelastic"), "only linear elasticity is there"
 )
-UNBUILT_SURFACES = {"measured": "topographies are not read yet"}
-UNBUILT_LAWS = {"boundary_element": "rough contact is not solved yet"}
+UNBUILT_SURFACES = {"measured": "topographies are not taken into studies yet"}
+UNBUILT_LAWS = {"boundary_element": "rough contact is not taken into studies yet"}
 UNBUILT_STIFFNESS = dict.fromkeys(("initial", "deformed", "auto"), "meshed bodies are not there yet")
 UNBUILT_KEYS: dict[type, dict[str, str]] = {
     SelfAffine: dict.fromkeys(
@@ -88,7 +88,7 @@ def model_of(part: type, tag: str = "", word: str = "", base: type[PartModel] = 
         A pydantic model with the class's fields, checks and defaults.
     """
     hints = get_type_hints(part, include_extras=True)
-    entries: dict[str, Any] = {tag: (Literal[word], word)} if tag else {}  # type: ignore[valid-type]
+    entries: dict[str, Any] = {tag: (Literal[word], word)} if tag else {}
     for field in fields(part):
         default = ... if field.default is MISSING else field.default
         entries[field.name] = (field_type(hints[field.name]), default)
@@ -127,4 +127,4 @@ def unit_of(hint: Any) -> Unit | None:
     """Unit that an annotation carries, also inside an optional one."""
     own = [extra for extra in getattr(hint, "__metadata__", ()) if isinstance(extra, Unit)]
     inner = [unit for unit in (unit_of(argument) for argument in get_args(hint)) if unit is not None]
-    return (own or inner or [None])[0]
+    return next(iter([*own, *inner]), None)

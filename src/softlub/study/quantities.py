@@ -30,7 +30,7 @@ DIMENSIONS = {
 """What each SI unit measures, and how a user may write it."""
 
 SIGNIFICANT_DIGITS = 14
-"""Digits kept after a conversion, so that ``10 mm``, ``1 cm`` and ``0.01`` are the same number and give the same key."""
+"""Digits kept after a conversion: ``10 mm``, ``1 cm`` and ``0.01`` are the same number and give the same key."""
 
 
 class QuantityError(ValueError):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 from pydantic_core import PydanticCustomError
@@ -57,7 +58,7 @@ def read_entry(read: Callable[[Any], float], entry: Any, index: int) -> float:
 
 def ascending(values: list[float]) -> tuple[float, ...]:
     """The values, refused unless each is larger than the one before."""
-    for before, after in zip(values, values[1:], strict=False):
+    for before, after in pairwise(values):
         if not after > before:
             raise refusal(
                 f"is not in ascending order: {after:g} follows {before:g}; sort it and drop repetitions"

@@ -13,18 +13,17 @@ from pydantic_core import PydanticCustomError
 
 from softlub.study import paths
 from softlub.study.accuracy import ACCURACIES
+from softlub.study.assembly import assembled
 from softlub.study.blocks import Names
 from softlub.study.checks import problems_of
 from softlub.study.fields import refusal
 from softlub.study.files import read_block
 from softlub.study.grid import SWEPT, check_swept_key
-from softlub.study.labels import labels
 from softlub.study.messages import Problem, StudyError, did_you_mean, shown
 from softlub.study.models import StudyFile
-from softlub.study.outputs import SCALARS
-from softlub.study.parsed import Sample, StandIn, Study, Sweep
+from softlub.study.parsed import Study, Sweep
 from softlub.study.scene import Scene
-from softlub.study.solvers import as_block, default_solver
+from softlub.study.solvers import as_block
 from softlub.study.sweeps import SceneReader, check_path, check_together, read_sampled, read_sweep
 
 STUDY_NAME = re.compile(r"[A-Za-z0-9_-]+")
@@ -67,9 +66,8 @@ def load(
             str(path), [Problem("", "is named after its file: use letters, digits, - and _ only")]
         )
     if accuracy is not None and accuracy not in ACCURACIES:
-        raise StudyError(
-            "accuracy", [Problem("", f"{shown(accuracy)} is unknown; {did_you_mean(accuracy, ACCURACIES)}")]
-        )
+        problem = Problem("accuracy", f"is unknown; {did_you_mean(accuracy, ACCURACIES)}", shown(accuracy))
+        raise StudyError(str(path), [problem])
     reading = _Reading(path, read_block(path), Names(_config_dir(path, config_dir)))
     study = reading.study(accuracy, overrule)
     if reading.problems:
@@ -124,7 +122,7 @@ class _Reading:
         if self.problems or file is None:
             return None
         chosen = accuracy if overrule and accuracy else file.accuracy or accuracy or "standard"
-        study = _assembled(self.path.stem, file, sweeps, ranges, chosen, self.names)
+        study = assembled(self.path.stem, file, sweeps, ranges, chosen, self.names)
         self.problems += problems_of(study)
         return study
 
@@ -187,12 +185,8 @@ class _Reading:
         if any(key == swept or key.startswith(f"{swept}.") for swept in [*self.swept, *self.sampled]):
             key = f"grid.{key}"
         # Where a key is missing or a rule joins several, the input is the whole block, which would say nothing.
-        quoted = (
-            ""
-            if text.startswith("is missing") or isinstance(entry["input"], (dict, StudyFile))
-            else entry["input"]
-        )
-        return Problem(key, text, shown(quoted) if quoted != "" or entry["input"] == "" else "")
+        whole = text.startswith("is missing") or isinstance(entry["input"], StudyFile)
+        return Problem(key, text, "" if whole else shown(entry["input"]))
 
     def _varied(self, reader: SceneReader) -> tuple[list[Sweep], Raw]:
         """Swept fields, and ranges of sampled ones; nothing where the scene itself is wrong."""
@@ -270,32 +264,3 @@ def _stands_in(block: Any, key: str) -> bool:
             for own, value in block.items()
         )
     return False
-
-
-def _assembled(
-    name: str, file: StudyFile, sweeps: list[Sweep], ranges: Raw, accuracy: str, names: Names
-) -> Study:
-    scene = file.scene.canonical()
-    sample = file.grid.sample
-    solvers = tuple(file.grid.solver or [file.solver or default_solver()])
-    stand_ins = [StandIn(entry.key, entry.reason) for entry in file.stand_ins]
-    stand_ins += [StandIn(f"{SWEPT}{place}", reason) for place, reason in names.stand_ins.items()]
-    outputs = tuple(file.outputs or SCALARS)
-    return Study(
-        name=name,
-        title=file.title or name,
-        scene=scene,
-        shear_strength=file.scene.shear_strength,
-        loads=file.grid.load or (),
-        speeds=file.grid.speed,
-        sweeps=tuple(sweeps),
-        sample=sample and Sample(sample.points, sample.seed, dict(sorted(ranges.items()))),
-        solvers=solvers,
-        solver_labels=tuple(
-            labels([s.name for s in solvers], [s.options for s in solvers], [s.label for s in solvers])
-        ),
-        accuracy=accuracy,
-        outputs=outputs,
-        figures=tuple(file.figures),
-        stand_ins=tuple(stand_ins),
-    )

@@ -26,7 +26,10 @@ _FRACTION = Quantity(Unit("1", at_least=0))
 _STRESS = Quantity(Unit("Pa", at_least=0))
 _OVER = {"speed": Quantity(Unit("m/s", above=0)), "load": Quantity(Unit("N/m", above=0))}
 _TABLE_KEYS = ("over", "at", "value")
-_FORMS = "allowed: a part of the modulus such as 0.1 E, a stress such as 1 MPa, or a table {over: speed, at: […], value: […]}"
+_FORMS = (
+    "allowed: a part of the modulus such as 0.1 E, a stress such as 1 MPa, "
+    "or a table {over: speed, at: […], value: […]}"
+)
 
 
 @dataclass(frozen=True)
