@@ -135,7 +135,7 @@ def _stand_in(entry: Any) -> tuple[str, str]:
 
 
 def escape(text: str) -> str:
-    r"""Text that reStructuredText and Jinja leave as it is.
+    r"""Text that reStructuredText leaves as it is.
 
     Parameters
     ----------
@@ -147,5 +147,4 @@ def escape(text: str) -> str:
         With a backslash before every character that begins markup.
     """
     escaped = re.sub(r"([\\*`|])", r"\\\1", text)
-    escaped = re.sub(r"_(?=\W|$)", r"\\_", escaped)
-    return re.sub(r"\{(?=[{%#])", "{ ", escaped)
+    return re.sub(r"_(?=\W|$)", r"\\_", escaped)

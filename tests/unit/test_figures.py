@@ -1,0 +1,242 @@
+"""Every drawing: what it shows, its units, its marks for failed points, and that files repeat bit by bit."""
+
+import csv
+import io
+
+import numpy as np
+import pytest
+from synthetic_datasets import fail, sample, skip, stribeck, work_precision
+
+from softlub.figures import DRAWINGS, draw
+from softlub.figures.panel import DataFigure
+from softlub.figures.quantities import quantity
+from softlub.figures.sample import first_order_index
+from softlub.figures.save import save, table
+from softlub.figures.stribeck import draw as draw_stribeck
+
+MODULES = ["auto", "bml", "mehl", "ehl"]
+SWEEPS = ["auto", "mehl", "mehl sweep=newton_raphson"]
+LAWS = ["exponential", "persson", "persson gamma=0.45"]
+
+
+def dataset_for(name):
+    """The smallest dataset that a drawing takes."""
+    speeds = np.geomspace(1e-3, 1, 7)
+    return {
+        "stribeck": lambda: stribeck(dimensions={"solver": MODULES}),
+        "load_share": stribeck,
+        "friction_and_separation": stribeck,
+        "profiles": lambda: stribeck(speeds, {"contact_law": LAWS}, nodes=60),
+        "sweep_comparison": lambda: stribeck(speeds, {"solver": SWEEPS}, nodes=60),
+        "module_comparison": lambda: stribeck(speeds, {"solver": MODULES[:3]}, nodes=60),
+        "parameter_study": lambda: stribeck(dimensions={"young_modulus": [1e7, 2e7, 5e7]}),
+        "regime_map": lambda: sample(500),
+        "sensitivity": lambda: sample(500),
+        "work_precision": work_precision,
+    }[name]()
+
+
+SERIES = {
+    "stribeck": 4,  # solvers
+    "load_share": 3,  # fluid, asperities, the line at the minimum
+    "friction_and_separation": 2,
+    "profiles": 9,  # three fields by three laws
+    "sweep_comparison": 9 + 3 * 2,  # three fields by three solvers; three sorts of effort by two sweeps
+    "module_comparison": 9,
+    "parameter_study": 6,
+    "regime_map": 2,
+    "sensitivity": 2 * 6,  # five inputs and their sum
+    "work_precision": 4,
+}
+
+
+def failed_marks(figure):
+    """Crosses of failed points, whoever drew them."""
+    return [line for axes in figure.axes for line in axes.lines if line.get_gid() == "failed"]
+
+
+@pytest.fixture(scope="module")
+def figures():
+    return {name: draw(name, dataset_for(name)) for name in DRAWINGS}
+
+
+def test_every_drawing_has_an_expectation():
+    assert SERIES.keys() == DRAWINGS.keys()
+
+
+def test_an_unknown_drawing_is_refused_by_name():
+    with pytest.raises(ValueError, match=r"'piechart'.*stribeck"):
+        draw("piechart", stribeck())
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_number_of_series(figures, name):
+    assert len(figures[name].series) == SERIES[name]
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_axes_carry_units(figures, name):
+    for axes in figures[name].axes:
+        labels = [axes.get_ylabel()] + ([axes.get_xlabel()] if axes.get_xlabel() else [])
+        assert all("(" in label and label.endswith(")") for label in labels), labels
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_every_figure_has_an_axis_named_in_x(figures, name):
+    assert any(axes.get_xlabel() for axes in figures[name].axes)
+
+
+@pytest.mark.parametrize("name", [name for name in DRAWINGS if name != "regime_map"])
+def test_lines_show_the_recorded_data(figures, name):
+    """Every recorded series lies in the figure, in the axis' unit."""
+    drawn = [line.get_xydata() for axes in figures[name].axes for line in axes.lines]
+    for series in figures[name].series:
+        expected = np.column_stack([series.x_quantity.shown(series.x), series.y_quantity.shown(series.y)])
+        assert any(
+            line.shape == expected.shape and np.array_equal(line, expected, equal_nan=True) for line in drawn
+        ), series.series
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_csv_holds_the_recorded_data(figures, name):
+    figure = figures[name]
+    rows = list(csv.DictReader(io.StringIO(table(figure))))
+    assert len(rows) == sum(series.x.size for series in figure.series)
+    at = 0
+    for series in figure.series:
+        part = rows[at : at + series.x.size]
+        at += series.x.size
+        column = f"{series.y_quantity.name} [{series.y_quantity.unit}]"
+        assert {row["series"] for row in part} == {series.series}
+        assert np.allclose([float(row[column]) for row in part], series.y, rtol=1e-9, equal_nan=True)
+
+
+def test_csv_is_in_si():
+    header = table(draw("friction_and_separation", stribeck())).splitlines()[0]
+    assert header == "panel,series,hersey_number [N/m],friction_coefficient [1],separation_min [m]"
+
+
+def test_failed_points_leave_a_gap_and_a_mark():
+    good, bad = stribeck(), fail(stribeck(), speed=[3, 4])
+    assert not failed_marks(draw("stribeck", good))
+    figure = draw("stribeck", bad)
+    (mark,) = failed_marks(figure)
+    assert np.allclose(mark.get_xdata(), bad["hersey_number"].values[[3, 4]])
+    assert np.isnan(figure.series[0].y[[3, 4]]).all()
+    assert np.isfinite(np.delete(figure.series[0].y, [3, 4])).all()
+    assert any(text.get_text() == "did not converge" for text in figure.axes[0].get_legend().get_texts())
+
+
+@pytest.mark.parametrize("name", ["load_share", "friction_and_separation", "parameter_study"])
+def test_other_curves_mark_failures_too(name):
+    assert failed_marks(draw(name, fail(dataset_for(name), speed=[2])))
+
+
+def test_points_that_nobody_asked_for_are_no_failures():
+    assert not failed_marks(
+        draw("stribeck", skip(stribeck(dimensions={"solver": MODULES}), solver=1, speed=[5]))
+    )
+
+
+def test_modules_are_points_over_the_newton_line():
+    lines = {line.get_label(): line for line in draw("stribeck", dataset_for("stribeck")).axes[0].lines}
+    assert lines["Newton"].get_linestyle() == "-"
+    assert {lines[name].get_marker() for name in ("BML", "MEHL", "EHL")} == {"s", "o", "^"}
+    assert all(lines[name].get_linestyle() == "None" for name in ("BML", "MEHL", "EHL"))
+
+
+def test_a_module_that_failed_is_drawn_by_its_last_iterate_and_says_so():
+    failed = fail(dataset_for("module_comparison"), solver=1, speed=3)
+    figure = draw("module_comparison", failed, speed=float(failed["speed"][3]))
+    texts = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+    (said,) = (text for text in texts if text.startswith("BML"))
+    assert "NOT CONVERGED" in said
+    assert "3.0e-02" in said
+    assert any("BML" in series.series and np.isfinite(series.y).any() for series in figure.series)
+
+
+def test_sweep_comparison_crosses_failed_points():
+    failed = fail(dataset_for("sweep_comparison"), solver=2, speed=[0, 1])
+    marks = failed_marks(draw("sweep_comparison", failed))
+    assert len(marks) == 3
+    assert all(np.isfinite(mark.get_ydata()).sum() == 2 for mark in marks)
+
+
+def test_profiles_refuse_a_speed_that_is_not_there():
+    with pytest.raises(ValueError, match="no speed near 50"):
+        draw("profiles", dataset_for("profiles"), speed=50.0)
+
+
+def test_amplified_pressure_is_multiplied_and_named():
+    plain, amplified = (draw("profiles", dataset_for("profiles"), amplify=factor) for factor in (1.0, 1e3))
+    solid = [next(s for s in f.series if s.series.startswith("asperity")) for f in (plain, amplified)]
+    assert np.allclose(solid[1].y, 1e3 * solid[0].y)
+    assert "× 1000" in solid[1].series
+
+
+def test_load_share_marks_the_minimum_of_friction():
+    figure = draw("load_share", stribeck())
+    (line,) = (series for series in figure.series if series.series == "minimum of friction")
+    friction = draw("stribeck", stribeck()).series[0]
+    lowest = friction.x[np.argmin(friction.y)]
+    assert 0.5 < line.x[0] / lowest < 2
+
+
+def test_files_repeat_bit_by_bit(tmp_path):
+    for folder in ("first", "second"):
+        figure = draw("stribeck", dataset_for("stribeck"))
+        save(figure, [tmp_path / folder / f"figure.{kind}" for kind in ("pdf", "png", "svg", "csv")])
+    for kind in ("pdf", "png", "svg", "csv"):
+        assert (tmp_path / f"first/figure.{kind}").read_bytes() == (
+            tmp_path / f"second/figure.{kind}"
+        ).read_bytes()
+    assert sorted(path.name for path in (tmp_path / "first").iterdir()) == [
+        f"figure.{kind}" for kind in ("csv", "pdf", "png", "svg")
+    ]
+
+
+def test_another_format_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="pdf, png, svg, csv"):
+        save(draw("stribeck", stribeck()), [tmp_path / "figure.bmp"])
+
+
+def test_a_user_matplotlibrc_changes_nothing(tmp_path):
+    import matplotlib
+
+    before = table(draw("stribeck", stribeck()))
+    plain = draw("stribeck", stribeck())
+    with matplotlib.rc_context({"font.size": 30, "lines.linewidth": 9}):
+        other = draw("stribeck", stribeck())
+    assert before == table(other)
+    assert plain.axes[0].lines[0].get_linewidth() == other.axes[0].lines[0].get_linewidth()
+
+
+def test_drawings_leave_pyplot_alone():
+    import matplotlib.pyplot as plt
+
+    assert isinstance(draw_stribeck(stribeck()), DataFigure)
+    assert plt.get_fignums() == []
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "unit"),
+    [("separation_min", 2e-6, "µm"), ("separation_min", 999e-9, "nm"), ("fluid_pressure", 2.06e5, "kPa"),
+     ("friction_coefficient", 0.3, "–"), ("hersey_number", 1e-4, "N/m"), ("x", 1e-3, "mm")],
+)  # fmt: skip
+def test_prefixes(name, value, unit):
+    assert quantity(name, value).shown_unit == unit
+
+
+def test_first_order_index_of_a_known_function():
+    """Y = 2 A + B with independent unit inputs: 4/5 and 1/5 of the variance, an idle input none."""
+    random = np.random.default_rng(2)
+    first, second, idle = random.uniform(size=(3, 20000))
+    effect = 2 * first + second
+    assert first_order_index(first, effect, 25) == pytest.approx(0.8, abs=0.01)
+    assert first_order_index(second, effect, 25) == pytest.approx(0.2, abs=0.01)
+    assert abs(first_order_index(idle, effect, 25)) < 0.01
+
+
+def test_first_order_index_of_nothing_is_nan():
+    assert np.isnan(first_order_index(np.arange(200.0), np.ones(200), 10))
+    assert np.isnan(first_order_index(np.arange(10.0), np.arange(10.0), 10))
