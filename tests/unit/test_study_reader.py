@@ -431,3 +431,18 @@ def test_options_of_drawings_are_those_of_their_functions():
             "dataset"
         }
         assert set(options_of(name)) == parameters
+
+
+def test_the_examples_of_the_configurations_readme(tmp_path):
+    text = (ROOT / "config" / "README.md").read_text(encoding="utf-8")
+    first, second = (part.split("```", 1)[0] for part in text.split("```yaml\n")[1:])
+    mine = tmp_path / "mine.yaml"
+    mine.write_text(first, encoding="utf-8")
+    assert load(mine, config_dir=ROOT / "config").figures[0].draw == "stribeck"
+    assert len(first.splitlines()) <= 6
+    mine.write_text(first.split("grid:")[0] + second.rstrip() + "\n  load: 1\n  speed: 1\n", encoding="utf-8")
+    sweeps = load(mine, config_dir=ROOT / "config").sweeps
+    assert [sweep.labels for sweep in sweeps] == [
+        ("exponential", "persson gamma=1", "persson gamma=0.45"),
+        ("table_3_1", "ground"),
+    ]
