@@ -10,19 +10,42 @@ wildcard_constraints:
 
 rule panel:
     output:
-        dataset="{results}/panel/{key}.nc",
+        "{results}/panel/{key}.nc",
     params:
-        spec=spec_of("panel"),
+        spec=spec_of("panel", "{key}"),
     script:
         "../scripts/run_stage.py"
 
 
 rule study:
     input:
-        panel=inputs_of("study", "panel"),
+        panel=inputs_of("study", "{study}"),
     output:
-        dataset="{results}/studies/{key}.nc",
+        "{results}/studies/{study}.nc",
     params:
-        spec=spec_of("study"),
+        spec=spec_of("study", "{study}"),
+    script:
+        "../scripts/run_stage.py"
+
+
+rule figure:
+    input:
+        study=inputs_of("figure", "{study}/{figure}"),
+        judged=judged_studies,
+        claims=CLAIMS,
+    output:
+        pdf="{results}/figures/{study}/{figure}.pdf",
+        png="{results}/figures/{study}/{figure}.png",
+        svg=report(
+            "{results}/figures/{study}/{figure}.svg",
+            caption="../report/figure.rst",
+            category=heading,
+            subcategory="{study}",
+            labels={"figure": "{figure}"},
+        ),
+        csv="{results}/figures/{study}/{figure}.csv",
+        caption="{results}/figures/{study}/{figure}.rst",
+    params:
+        spec=spec_of("figure", "{study}/{figure}"),
     script:
         "../scripts/run_stage.py"

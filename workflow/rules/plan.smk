@@ -2,39 +2,62 @@
 
 RESULTS = "results"
 SMOKE = "results/smoke"
-
-
-def study_files():
-    """The one file of `--config study=PATH`, else those that config.yaml lists."""
-    if "study" in config:
-        return [Path(config["study"])]
-    return [ROOT / "config" / "studies" / f"{name}.yaml" for name in config["studies"]]
+CLAIMS = str(ROOT / "config" / "claims.csv")
 
 
 def planned(**accuracy):
     """All nodes of the studies asked for; a mistake in a file ends the run with its message alone."""
     try:
-        return merge([plan(load(path, **accuracy)) for path in study_files()])
+        files = select(config, ROOT / "config")
+        return merge(
+            plan(load(path, config_dir=ROOT / "config", **accuracy)) for path in files
+        )
     except StudyError as error:
         raise WorkflowError(str(error)) from None
 
 
-PLANS = {RESULTS: planned(accuracy=config["accuracy"])}
+PLANS = {
+    RESULTS: planned(accuracy=config.get("accuracy", "standard")),
+    SMOKE: planned(accuracy="draft", overrule=True),
+}
 
 
-def node(kind, wildcards):
-    return PLANS[wildcards.results].node(kind, wildcards.key)
+def files_of(results, nodes):
+    """Paths of all files of some nodes."""
+    return [f"{results}/{path}" for node in nodes for path in node.paths]
 
 
-def spec_of(kind):
+def spec_of(kind, name):
     """Param function of a rule: the spec of the node that its job makes."""
-    return lambda wildcards: node(kind, wildcards).spec
+    return lambda wildcards: dict(
+        PLANS[wildcards.results].node(kind, name.format(**wildcards)).spec
+    )
 
 
-def inputs_of(kind, input_kind):
-    """Input function of a rule: the files of the nodes of one kind that its job reads."""
-    return lambda wildcards: [
-        f"{wildcards.results}/{source.path}"
-        for source in PLANS[wildcards.results].inputs(node(kind, wildcards))
-        if source.kind == input_kind
+def inputs_of(kind, name):
+    """Input function of a rule: the files that its job reads."""
+
+    def inputs(wildcards):
+        plan = PLANS[wildcards.results]
+        return files_of(
+            wildcards.results,
+            plan.inputs(plan.node(kind, name.format(**wildcards))),
+        )
+
+    return inputs
+
+
+def judged_studies(wildcards):
+    """The studies that a figure's caption reads, besides its own: those that the source's statements are held against."""
+    plan = PLANS[wildcards.results]
+    return [
+        f"{wildcards.results}/studies/{study}.nc"
+        for study in studies_of(wildcards.figure, read_claims(CLAIMS))
+        if study in plan.studies and study != wildcards.study
     ]
+
+
+def heading(wildcards):
+    """Where a figure stands in the report."""
+    chapter = PLANS[wildcards.results].chapters.get(wildcards.study)
+    return "Studies of one's own" if chapter is None else f"Chapter {chapter}"

@@ -47,6 +47,15 @@ VARIABLES: dict[str, Variable] = {
     "rupture_position": Variable("m", "where the pressurised film ends"),
     "rigid_approach": Variable("m", "rigid term of the separation", "3-12"),
     "pressure_centroid": Variable("m", "centroid of the total pressure"),
+    # inputs of each curve
+    "viscosity": Variable("Pa s", "viscosity of the lubricant"),
+    "rms_roughness": Variable("m", "root mean square roughness"),
+    "young_modulus": Variable("Pa", "Young's modulus"),
+    "long_term_modulus": Variable("Pa", "long-term Young's modulus"),
+    "plane_strain_modulus": Variable("Pa", "plane-strain modulus E/(1 - nu^2)"),
+    "radius": Variable("m", "radius of the cylinder"),
+    "half_domain": Variable("m", "half-width of the domain"),
+    "hertz_half_width": Variable("m", "half-width of the dry contact"),
     # fields
     "fluid_pressure": Variable("Pa", "fluid pressure", "3-2"),
     "solid_pressure": Variable("Pa", "asperity pressure", "3-11"),

@@ -49,6 +49,10 @@ def gridded(spec: Spec) -> xr.Dataset:
         for name, values in curves.items()
     }
     variables |= {name: (leading, values.reshape(shape)) for name, values in _parameters(swept).items()}
+    variables |= {
+        name: ((*leading, "load"), values.reshape((*shape, -1)))
+        for name, values in _domains(swept, [spec["load"]] * len(swept)).items()
+    }
     labels = {sweep["dimension"]: np.array(sweep["labels"]) for sweep in sweeps}
     return _dataset(variables, labels | {"load": np.array(spec["load"]), "speed": np.array(spec["speed"])})
 
@@ -65,6 +69,7 @@ def sampled(spec: Spec) -> xr.Dataset:
         name: (("sample", *dimensions(name)[1:]), values[:, 0]) for name, values in curves.items()
     }
     described = _parameters(drawn) | {path.rpartition(".")[2]: values for path, values in points.items()}
+    described |= {name: values[:, 0] for name, values in _domains(drawn, loads[:, None]).items()}
     variables |= {name: (("sample",), values) for name, values in described.items()}
     first = spec["sample"]["first"]
     coordinates = {"sample": np.arange(first, first + len(loads)), "speed": np.array(spec["speed"])}
@@ -104,6 +109,15 @@ def _parameters(swept: Sequence[Scene]) -> dict[str, np.ndarray]:
         "long_term_modulus": np.array([scenes.material(scene).long_term_modulus for scene in swept]),
         "plane_strain_modulus": np.array([scenes.material(scene).plane_strain_modulus for scene in swept]),
         "radius": np.array([scene["body"]["shape"]["radius"] for scene in swept]),
+    }
+
+
+def _domains(swept: Sequence[Scene], loads: Sequence[Sequence[float]] | np.ndarray) -> dict[str, np.ndarray]:
+    """Domain and dry half-width of every curve at each of its loads, shape (curves, loads)."""
+    contacts = [[scenes.problem(scene, load, 1.0) for load in row] for scene, row in zip(swept, loads, strict=True)]
+    return {
+        "half_domain": np.array([[contact.domain for contact in row] for row in contacts]),
+        "hertz_half_width": np.array([[contact.hertz.half_width for contact in row] for row in contacts]),
     }
 
 

@@ -22,8 +22,8 @@ def run(spec: Mapping[str, Any], inputs: Mapping[str, Sequence[Path]], outputs: 
     Parameters
     ----------
     spec : mapping
-        Canonical spec of the node: shear_strength, solvers (a label for each panel), and what the dataset is to
-        tell of itself.
+        Canonical spec of the node: shear_strength, solvers (a label for each panel), left_out (variables that
+        nobody asked for), and what the dataset is to tell of itself.
     inputs : mapping
         ``panel``: the panels' files, in the plan's order.
     outputs : sequence of Path
@@ -31,7 +31,8 @@ def run(spec: Mapping[str, Any], inputs: Mapping[str, Sequence[Path]], outputs: 
     """
     joined = join([store.read(path) for path in inputs["panel"]], spec["solvers"])
     dataset = with_friction(joined, shear_strength(joined, spec["shear_strength"]))
-    store.write(dataset.drop_attrs(deep=False), outputs[0], dict(spec))
+    kept = dataset.drop_vars(spec["left_out"], errors="ignore")
+    store.write(kept.drop_attrs(deep=False), outputs[0], dict(spec))
 
 
 def join(panels: Sequence[xr.Dataset], solvers: Sequence[str]) -> xr.Dataset:
@@ -52,7 +53,7 @@ def join(panels: Sequence[xr.Dataset], solvers: Sequence[str]) -> xr.Dataset:
     if "sample" in panels[0].dims:
         return xr.concat(panels, dim="sample", join="outer", data_vars="minimal", combine_attrs="drop")
     everywhere = xr.align(*panels, join="outer", fill_value=NOT_ATTEMPTED)
-    solved = [name for name, variable in everywhere[0].data_vars.items() if "speed" in variable.dims]
+    solved = [name for name in everywhere[0].data_vars if _depends_on_solver(str(name), everywhere)]
     return xr.concat(
         _pad_nodes(everywhere),
         dim=xr.Variable("solver", np.array(solvers)),
@@ -62,6 +63,12 @@ def join(panels: Sequence[xr.Dataset], solvers: Sequence[str]) -> xr.Dataset:
         join="exact",
         combine_attrs="drop",
     )
+
+
+def _depends_on_solver(name: str, panels: Sequence[xr.Dataset]) -> bool:
+    """Whether a variable is a result, or an input that the solvers were given different values of."""
+    first = panels[0][name]
+    return "speed" in first.dims or not all(panel[name].equals(first) for panel in panels)
 
 
 def _pad_nodes(panels: Sequence[xr.Dataset]) -> list[xr.Dataset]:

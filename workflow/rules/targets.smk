@@ -1,0 +1,50 @@
+# What one asks for by name.
+
+
+def everything(results, chapter=None):
+    """Datasets and figures of all studies asked for, or of one chapter's."""
+    plan = PLANS[results]
+    wanted = [
+        study
+        for study in plan.studies
+        if chapter is None or plan.chapters.get(study) == chapter
+    ]
+    nodes = [plan.node("study", study) for study in wanted]
+    nodes += [figure for study in wanted for figure in plan.figures(study)]
+    return files_of(results, nodes)
+
+
+CHAPTERS = sorted(set(PLANS[RESULTS].chapters.values()))
+
+
+rule all:
+    input:
+        everything(RESULTS),
+        ["results/claims.csv"] if CHAPTERS else [],
+
+
+for chapter in CHAPTERS:
+
+    rule:
+        name:
+            f"chapter{chapter}"
+        input:
+            everything(RESULTS, chapter),
+
+
+rule smoke:
+    input:
+        everything(SMOKE),
+
+
+rule claims:
+    input:
+        studies=[f"{RESULTS}/studies/{study}.nc" for study in PLANS[RESULTS].studies],
+        claims=CLAIMS,
+    output:
+        table="results/claims.csv",
+        page="results/claims.md",
+    params:
+        spec={"stage": "claims", "revision": 1},
+    script:
+        "../scripts/run_stage.py"
