@@ -26,10 +26,10 @@ MAX_LOG_STEP = 0.9
 MIN_LOG_STEP = 0.9 / 64
 HISTORY = 4
 MAX_ELEMENTS = 60
-# A grid serves as long as the speed number changes by less than this (in the logarithm), the rupture point by less than
-# this share of the element before it, and the smallest gap falls by less than this factor.
+# A grid serves as long as the speed number changes by less than this (in the logarithm), the rupture point (and the
+# elements with it) by less than this share of the finest element, and the smallest gap falls by less than this factor.
 GRID_LOG_RANGE = 2.8
-GRID_RUPTURE_SHARE = 0.25
+GRID_RUPTURE_SHARE = 0.4
 GRID_GAP_FACTOR = 0.45
 
 
@@ -140,6 +140,7 @@ def leg(
     known = 1
     evaluate(first_state, np.exp(first_log), grid, scene, basis.integration, fields)
     film_min = smallest_gap(fields.gap, basis)
+    layer = rupture_layer(fields, grid.inlet * (basis.nodes.size - 1), np.exp(first_log))
     grid_log, grid_film = first_log, film_min
     grid_hertzian = is_hertzian(first_state[-2], film_min, np.exp(first_log), scene.roughness)
     state = first_state.copy()
@@ -153,10 +154,10 @@ def leg(
             speed_number = np.exp(log_speed)
             predict(logs, states, min(known, use), log_speed, state)
             hertzian = is_hertzian(state[-2], film_min, speed_number, scene.roughness)
-            last_width = grid.breaks[grid.inlet] - grid.breaks[grid.inlet - 1]
+            finest = np.min(np.diff(grid.breaks[: grid.inlet + 1]))
             if (
                 abs(log_speed - grid_log) > GRID_LOG_RANGE
-                or abs(state[-1] - grid.rupture) > GRID_RUPTURE_SHARE * last_width
+                or abs(state[-1] - grid.rupture) > GRID_RUPTURE_SHARE * finest
                 or film_min < GRID_GAP_FACTOR * grid_film
                 or hertzian != grid_hertzian
             ):
@@ -167,7 +168,7 @@ def leg(
                     film_min,
                     speed_number,
                     scene.roughness,
-                    rupture_layer(fields, grid.inlet * (basis.nodes.size - 1), np.exp(logs[0])),
+                    layer,
                     np.array([-scene.half_domain, end + state[-1] - states[0, -1]]),
                 )
                 if breaks.size > MAX_ELEMENTS:
@@ -201,6 +202,7 @@ def leg(
             states[0] = state
             logs[0] = log_speed
             film_min = smallest_gap(fields.gap, basis)
+            layer = rupture_layer(fields, grid.inlet * (basis.nodes.size - 1), speed_number)
             if abs(log_speed - targets[index]) < 1e-12:
                 break
         row = int(rows[index])

@@ -58,7 +58,7 @@ def record(
         out[WEIGHT, i] = stretch * grid.weights[i]
         inside = 0 < i < last
         out[FLUID, i] = state[i] - fields.solid[i] if inside else 0.0
-        out[SOLID, i] = fields.solid[i]
+        out[SOLID, i] = fields.solid[i] if inside else state[i]
         out[GAP, i] = fields.gap[i]
         out[GRADIENT, i] = speed_number * fields.flow[i] if i <= last else 0.0
         load += out[WEIGHT, i] * (out[FLUID, i] + out[SOLID, i])
