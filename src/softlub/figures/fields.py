@@ -104,7 +104,8 @@ def contact_window(drawn: list[Profile], level: float = 1e-3) -> tuple[float, fl
     # The inlet's pressure has a long tail that says little; the outlet sets the scale.
     start = max(min(starts), -3 * max(ends))
     margin = 0.15 * (max(ends) - start)
-    return start - margin, max(ends) + margin
+    left, right = (limit([edge(p.x) for p in drawn]) for limit, edge in ((min, np.min), (max, np.max)))
+    return max(start - margin, float(left)), min(max(ends) + margin, float(right))
 
 
 def separation_limit(drawn: list[Profile], window: tuple[float, float]) -> float:

@@ -11,10 +11,16 @@ from matplotlib.lines import Line2D
 from softlub.figures import fields, style
 from softlub.figures.curves import nearest_speed
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.profiles import field_handles
 from softlub.figures.quantities import quantity
 
 NEWTON_LOOK: dict[str, Any] = {"linestyle": "-", "linewidth": 3.5, "alpha": 0.35, "zorder": 1}
-MODULE_LINES: tuple[Any, ...] = ("--", ":")
+MODULE_LOOKS: tuple[dict[str, Any], ...] = (
+    {"linestyle": "--", "zorder": 2},
+    {"linestyle": "none", "marker": "o", "markevery": 0.05, "markerfacecolor": "none", "zorder": 3},
+    {"linestyle": ":", "zorder": 2},
+)
+"""Curves that agree lie on each other: a broad band, dashes and sparse circles stay visible all the same."""
 
 
 def draw(
@@ -34,7 +40,7 @@ def draw(
     speed : float, optional
         [m/s]; the dataset's closest is taken.
     solvers : sequence of str, optional
-        First words of the solvers' labels to be drawn, besides the Newton solution; all by default.
+        First words of the solvers' labels to be drawn, besides the Newton solution; by default the first three.
     height : float
         Of the figure [inch].
 
@@ -61,9 +67,9 @@ def draw(
         separation.axes.set_ylim(0.0, float(separation.y.shown(film)))
         separation.axes.set_title(f"v = {style.power(speed)} m/s", loc="right")
         for profile in newton:
-            _draw(pressure, separation, profile, NEWTON_LOOK)
-        for profile, linestyle in zip(modules, MODULE_LINES * len(modules), strict=False):
-            _draw(pressure, separation, profile, {"linestyle": linestyle, "zorder": 2})
+            draw_profile(pressure, separation, profile, NEWTON_LOOK)
+        for profile, look in zip(modules, MODULE_LOOKS, strict=False):
+            draw_profile(pressure, separation, profile, look)
         _legend(figure, newton, modules)
         return figure
 
@@ -73,7 +79,8 @@ def _wanted(profile: fields.Profile, solvers: Sequence[str] | None) -> bool:
     return name not in style.NEWTON_SOLVERS and (solvers is None or name in solvers)
 
 
-def _draw(pressure: Panel, separation: Panel, profile: fields.Profile, look: dict[str, Any]) -> None:
+def draw_profile(pressure: Panel, separation: Panel, profile: fields.Profile, look: dict[str, Any]) -> None:
+    """The three fields of one profile in one look."""
     name = profile.label
     pressure.line(f"fluid pressure, {name}", profile.x, profile.fluid_pressure, "", color=style.FLUID, **look)
     pressure.line(
@@ -93,12 +100,8 @@ def state(profile: fields.Profile) -> str:
 
 
 def _legend(figure: DataFigure, newton: list[fields.Profile], modules: list[fields.Profile]) -> None:
-    handles = [
-        Line2D([], [], color=style.FLUID, label="fluid pressure"),
-        Line2D([], [], color=style.SOLID, label="asperity pressure"),
-        Line2D([], [], color=style.SEPARATION, label="separation"),
-    ]
+    handles = field_handles()
     handles += [Line2D([], [], color=style.BLACK, label=p.label, **NEWTON_LOOK) for p in newton]
-    for profile, linestyle in zip(modules, MODULE_LINES * len(modules), strict=False):
-        handles.append(Line2D([], [], color=style.BLACK, linestyle=linestyle, label=state(profile)))
+    for profile, look in zip(modules, MODULE_LOOKS, strict=False):
+        handles.append(Line2D([], [], color=style.BLACK, label=state(profile), **look))
     figure.legend(handles=handles, loc="outside lower center", ncols=2)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -90,25 +88,22 @@ def draw_fields(
     separation.line(f"separation{suffix}", profile.x, profile.separation, "", color=style.SEPARATION, **look)
 
 
-def field_legend(
-    figure: DataFigure,
-    drawn: list[fields.Profile],
-    amplify: float = 1.0,
-    more: Sequence[Line2D] = (),
-) -> None:
-    """Colours name the fields, line styles the profiles; `more` entries take the place of profiles of their name."""
-    named = {handle.get_label() for handle in more}
-    times = f" × {style.power(amplify)}" if amplify != 1.0 else ""
-    handles = [
+def field_handles(times: str = "") -> list[Line2D]:
+    """What the three colours mean."""
+    return [
         Line2D([], [], color=style.FLUID, label="fluid pressure"),
         Line2D([], [], color=style.SOLID, label=f"asperity pressure{times}"),
         Line2D([], [], color=style.SEPARATION, label="separation"),
     ]
+
+
+def field_legend(figure: DataFigure, drawn: list[fields.Profile], amplify: float = 1.0) -> None:
+    """Colours name the fields, line styles the profiles."""
+    handles = field_handles(f" × {style.power(amplify)}" if amplify != 1.0 else "")
     for index, profile in enumerate(drawn):
-        if profile.label and profile.label not in named:
+        if profile.label:
             state = "" if profile.converged else " (last iterate)"
             handles.append(
                 Line2D([], [], color=style.BLACK, label=profile.label + state, **fields.look(index))
             )
-    handles += more
     figure.legend(handles=handles, loc="outside lower center", ncols=2)

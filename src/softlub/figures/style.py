@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 COLUMN = 3.5
@@ -108,7 +109,9 @@ def _option(word: str) -> str:
     name, equals, value = word.partition("=")
     if not equals:
         return NAMES.get(word, word.replace("_", " "))
-    symbol = {"gamma": "γ", "pressure_factor": "pressure factor", "sweep": ""}.get(
+    symbol = {"gamma": "γ", "pressure_factor": "pressure factor", "reynolds_sweep": "", "sweep": ""}.get(
         name, name.replace("_", " ")
     )
+    # A label holds no blanks within an option; print separates number and unit.
+    value = re.sub(r"(\d)([a-zµ]+)$", r"\1 \2", value)
     return f"{symbol} = {value}" if symbol else NAMES.get(value, value)

@@ -10,16 +10,14 @@ from matplotlib.lines import Line2D
 
 from softlub.figures import fields, style
 from softlub.figures.curves import Curve, curves, nearest_speed
+from softlub.figures.module_comparison import MODULE_LOOKS, NEWTON_LOOK, draw_profile
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
-from softlub.figures.profiles import draw_fields, field_legend, field_panels
+from softlub.figures.profiles import field_handles, field_panels
 from softlub.figures.quantities import Quantity, quantity
 
 EFFORT = ("iterations", "solver_seconds", "residual")
 COLOURS = (style.BLACK, style.PURPLE, style.ORANGE, style.SKY)
 """Of the solvers over speed; the three fields of the profiles have taken blue, green and red."""
-FAILED = [
-    Line2D([], [], color=style.BLACK, linestyle="none", marker=style.FAILED_MARKER, label="did not converge")
-]
 
 
 def draw(dataset: xr.Dataset, speed: float | None = None, height: float = 4.6) -> DataFigure:
@@ -44,8 +42,9 @@ def draw(dataset: xr.Dataset, speed: float | None = None, height: float = 4.6) -
         figure = new_figure(style.PAGE, height)
         axes = figure.subplot_mosaic([["a", "b"], ["a", "c"], ["a", "d"]], width_ratios=[1.25, 1])
         pressure, separation = field_panels(axes["a"], drawn)
-        for index, profile in enumerate(drawn):
-            draw_fields(pressure, separation, profile, index)
+        looks = _profile_looks(drawn)
+        for profile, look in zip(drawn, looks, strict=True):
+            draw_profile(pressure, separation, profile, look)
         pressure.letter("a")
         pressure.axes.set_title(f"v = {style.power(speed)} m/s", loc="right")
         swept = [curve for curve in curves(dataset) if _is_module(curve)]
@@ -59,7 +58,7 @@ def draw(dataset: xr.Dataset, speed: float | None = None, height: float = 4.6) -
             if variable != EFFORT[-1]:
                 panel.axes.set_xlabel("")
                 panel.axes.tick_params(labelbottom=False)
-        field_legend(figure, drawn, more=[_handle(curve) for curve in swept] + FAILED)
+        _legend(figure, drawn, looks, swept)
         return figure
 
 
@@ -96,5 +95,33 @@ def _look(curve: Curve) -> dict[str, Any]:
     }
 
 
-def _handle(curve: Curve) -> Line2D:
-    return Line2D([], [], label=curve.label, **_look(curve))
+def _profile_looks(drawn: list[fields.Profile]) -> list[dict[str, Any]]:
+    """The Newton solution as a broad band, the others as dashes, circles, dots."""
+    others = iter(MODULE_LOOKS * len(drawn))
+    return [
+        NEWTON_LOOK if style.solver_of(profile.solver) in style.NEWTON_SOLVERS else next(others)
+        for profile in drawn
+    ]
+
+
+def _legend(
+    figure: DataFigure, drawn: list[fields.Profile], looks: list[dict[str, Any]], swept: list[Curve]
+) -> None:
+    """Fields by colour, profiles of (a) by look, sweeps of (b–d) by colour and marker."""
+    handles = field_handles()
+    for profile, look in zip(drawn, looks, strict=True):
+        ending = "" if profile.converged else ", last iterate"
+        handles.append(Line2D([], [], color=style.BLACK, label=f"(a) {profile.label}{ending}", **look))
+    handles += [Line2D([], [], label=f"(b–d) {curve.label}", **_look(curve)) for curve in swept]
+    if any(curve.failed.any() for curve in swept):
+        handles.append(
+            Line2D(
+                [],
+                [],
+                color=style.BLACK,
+                linestyle="none",
+                marker=style.FAILED_MARKER,
+                label="did not converge",
+            )
+        )
+    figure.legend(handles=handles, loc="outside lower center", ncols=3)
