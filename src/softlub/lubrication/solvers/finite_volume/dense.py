@@ -21,7 +21,6 @@ def assemble(
     law_slope: FloatArray,
     conductance: FloatArray,
     by_gap: FloatArray,
-    pressure_weight: FloatArray,
     flux_weight: FloatArray,
     inflow: NDArray[np.int64],
     first: int,
@@ -58,11 +57,6 @@ def assemble(
             continue
         source = inflow[node] - first + 1
         jacobian[k] = flux_weight[node] * (by_unknown[k + 1] - by_unknown[source])
-        if pressure_weight[node] != 0.0:
-            share = pressure_weight[node]
-            jacobian[k, :size] -= share * law_slope[node] * influence[node, first:last]
-            jacobian[k, size] -= share * law_slope[node]
-            jacobian[k, k] += share
     jacobian[size, :size] = widths[first:last]
     jacobian[size, size] = 0.0
     return jacobian
@@ -84,7 +78,6 @@ class Elimination:
             equations.law_slope,
             equations.conductance,
             equations.by_gap,
-            rows.pressure_weight,
             rows.flux_weight,
             rows.inflow,
             1,

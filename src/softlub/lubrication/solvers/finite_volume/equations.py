@@ -59,13 +59,11 @@ class Linearisation(NamedTuple):
         return min(int(live[-1]) + 2 if live.size else 2, self.gap.size - 1)
 
 
-def linearise(
-    contact: ScaledContact, speed_number: float, state: State, gap: FloatArray, rounding: float
-) -> Linearisation:
+def linearise(contact: ScaledContact, speed_number: float, state: State, gap: FloatArray) -> Linearisation:
     """Evaluate all equations at a state whose gap is given."""
     solid, law_slope = contact.solid(gap)
     fluid = state.pressure - solid
     flux, conductance, by_gap = face_fluxes(contact.space.positions, gap, fluid, speed_number)
-    rows = Rows(*complementarity_rows(fluid, flux, conductance, contact.mass_conserving, rounding))
+    rows = Rows(*complementarity_rows(fluid, flux, conductance, contact.mass_conserving))
     load = float(contact.space.widths @ state.pressure) - LOAD
     return Linearisation(gap, solid, fluid, law_slope, flux, conductance, by_gap, rows, load)

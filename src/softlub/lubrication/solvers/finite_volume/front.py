@@ -36,7 +36,7 @@ def with_front(equations: Linearisation, front: int) -> Linearisation:
     residual[inner] = np.where(pressurised[inner], scale * np.diff(equations.flux), residual[inner])
     flux_weight = np.zeros(count)
     flux_weight[inner] = np.where(pressurised[inner], scale, 0.0)
-    rows = Rows(residual, np.where(pressurised, 0.0, 1.0), flux_weight, np.arange(-1, count - 1))
+    rows = Rows(residual, flux_weight, np.arange(-1, count - 1))
     return equations._replace(rows=rows)
 
 

@@ -47,20 +47,21 @@ class GradedGrid:
     middle : float
         m, the weight of the nodes between the edges.
     edge_min, edge_max : float
-        Bounds of d; within them it follows the roughness, d = (h_rms R/a²)^(2/3), the width over which the
-        asperities carry load outside the dry contact.
+        Bounds of d; within them d = H^(2/3), H the larger of the scaled roughness h_rms R/a² and of the film of the
+        smooth contact 0.446 λ^(3/5): the width over which a gap of that height opens outside the dry contact.
     """
 
     middle: float = 0.5
-    edge_min: float = 0.05
+    edge_min: float = 2e-3
     edge_max: float = 0.6
 
     def space(self, problem: Problem, count: int) -> HalfSpace:
         """Scaled half-space on `count` nodes X = x/a."""
         hertz = problem.hertz
         reach = problem.domain / hertz.half_width
-        roughness = problem.rms_roughness / hertz.gap_scale
-        edge = float(np.clip(roughness ** (2 / 3), self.edge_min, self.edge_max))
+        film = 0.446 * problem.speed_number**0.6
+        thinnest = max(problem.rms_roughness / hertz.gap_scale, film)
+        edge = float(np.clip(thinnest ** (2 / 3), self.edge_min, self.edge_max))
         return HalfSpace(HERTZ_BODY, graded_nodes(reach, edge, self.middle, count))
 
 

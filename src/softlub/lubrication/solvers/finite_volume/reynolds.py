@@ -105,7 +105,7 @@ def film_pressure(
         fluid = eliminate(couette, conductance, pressurised, mass_conserving, ends)
         for i in range(flux.size):
             flux[i] = couette[i] - conductance[i] * (fluid[i + 1] - fluid[i])
-        _, _, weight, source = complementarity_rows(fluid, flux, conductance, mass_conserving, 0.0)
+        _, weight, source = complementarity_rows(fluid, flux, conductance, mass_conserving)
         changed = False
         for i in range(1, nodes.size - 1):
             if pressurised[i] != (weight[i] > 0):

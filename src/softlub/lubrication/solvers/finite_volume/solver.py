@@ -14,6 +14,7 @@ from softlub.lubrication.solvers.finite_volume.fields import contact_fields
 from softlub.lubrication.solvers.finite_volume.grid import GRIDS
 from softlub.lubrication.solvers.finite_volume.level import Level, make_level, state_of
 from softlub.lubrication.solvers.finite_volume.march import march, march_refined
+from softlub.lubrication.solvers.finite_volume.newton import Iterate
 
 COARSEST = 129
 """Grids of fewer nodes are not used to prepare finer ones."""
@@ -60,7 +61,8 @@ class FiniteVolume:
         """
         if start is not None:
             level = self.level(problem, self.nodes)
-            iterate = level.correct(problem.speed_number, state_of(level, problem, start))
+            with np.errstate(all="ignore"):
+                iterate = level.correct(problem.speed_number, state_of(level, problem, start))
             if iterate.converged:
                 return contact_fields(problem, level.contact, iterate)
         return self.sweep(problem, [problem.speed])[0]
@@ -83,31 +85,35 @@ class FiniteVolume:
         Raises
         ------
         ValueError
-            If a speed is not positive and finite.
+            If there is no speed, or one is not positive and finite.
         """
         return self.sweep_levels(problem, speeds)[-1]
 
     def sweep_levels(self, problem: Problem, speeds: Sequence[float]) -> list[list[LubricatedContact]]:
         """As `sweep`, on each of the nested grids that lead to this one, the coarsest first."""
         wanted = np.asarray(speeds, dtype=float)
-        if not np.all(np.isfinite(wanted) & (wanted > 0)):
+        if wanted.size == 0 or not np.all(np.isfinite(wanted) & (wanted > 0)):
             raise ValueError(f"speeds must be positive and finite, not {wanted}")
         unique, place = np.unique(wanted, return_inverse=True)
         points = [problem.at(speed=float(speed)) for speed in unique]
+        # A diverging iteration overflows; it is found by its residual and flagged.
+        with np.errstate(all="ignore"):
+            levels = self._solve_levels(points)
+        return [[contacts[k] for k in place] for contacts in levels]
+
+    def _solve_levels(self, points: Sequence[Problem]) -> list[list[LubricatedContact]]:
+        """One contact a point, speeds ascending, on each of the nested grids."""
         speed_numbers = [point.speed_number for point in points]
-        results = []
-        iterates = None
+        results: list[list[LubricatedContact]] = []
+        iterates: list[Iterate] = []
         for nodes in self.nested():
-            level = self.level(problem, nodes)
-            if iterates is None:
-                iterates = march(level, speed_numbers)
-            else:
+            level = self.level(points[0], nodes)
+            if iterates:
                 iterates = march_refined(level, speed_numbers, iterates)
-            contacts = [
-                contact_fields(point, level.contact, iterate)
-                for point, iterate in zip(points, iterates, strict=True)
-            ]
-            results.append([contacts[k] for k in place])
+            else:
+                iterates = march(level, speed_numbers)
+            pairs = zip(points, iterates, strict=True)
+            results.append([contact_fields(point, level.contact, iterate) for point, iterate in pairs])
         return results
 
     def nested(self) -> list[int]:

@@ -59,6 +59,7 @@ class Transforms:
     def _jacobian(self, equations: Linearisation, last: int) -> Operator:
         """Product of the Jacobian with changes of the pressures of nodes 1…last-1 and of the rigid approach."""
         rows, by_gap, widths = equations.rows, equations.by_gap, self.space.widths[1:last]
+        weight = rows.flux_weight[1:last]
         pressure = np.zeros_like(equations.gap)
 
         def product(change: FloatArray) -> FloatArray:
@@ -67,7 +68,7 @@ class Transforms:
             fluid = pressure - equations.law_slope * gap
             flux = by_gap[:, 0] * gap[:-1] + by_gap[:, 1] * gap[1:] - equations.conductance * np.diff(fluid)
             outflow = flux[1:last] - flux[rows.inflow[1:last]]
-            nodal = rows.pressure_weight[1:last] * fluid[1:last] + rows.flux_weight[1:last] * outflow
+            nodal = np.where(weight > 0, weight * outflow, fluid[1:last])
             return np.append(nodal, widths @ change[:-1])
 
         return product
@@ -82,7 +83,6 @@ class Transforms:
             equations.law_slope,
             equations.conductance,
             equations.by_gap,
-            rows.pressure_weight,
             rows.flux_weight,
             size,
         )
@@ -105,7 +105,6 @@ def assemble_band(
     law_slope: FloatArray,
     conductance: FloatArray,
     by_gap: FloatArray,
-    pressure_weight: FloatArray,
     flux_weight: FloatArray,
     size: int,
 ) -> tuple[FloatArray, FloatArray]:
@@ -122,7 +121,8 @@ def assemble_band(
     border = np.empty(size)
     for k in range(size):
         node = k + 1
-        weight, share, slope = flux_weight[node], pressure_weight[node], law_slope[node]
+        weight, slope = flux_weight[node], law_slope[node]
+        share = 0.0 if weight > 0 else 1.0
         behind, ahead = conductance[node - 1], conductance[node]
         to_left = -weight * (by_gap[node - 1, 0] - behind * law_slope[node - 1])
         to_right = weight * (by_gap[node, 1] + ahead * law_slope[node + 1])
