@@ -7,13 +7,14 @@ import pytest
 from test_finite_volume import PROBLEM, observed
 
 from softlub.lubrication.half_space import HalfSpace
+from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.finite_volume import FiniteVolume
 from softlub.lubrication.solvers.finite_volume.dense import Elimination
 from softlub.lubrication.solvers.finite_volume.equations import linearise
+from softlub.lubrication.solvers.finite_volume.extrapolation import extrapolated_sweep, richardson
 from softlub.lubrication.solvers.finite_volume.grid import EvenGrid
 from softlub.lubrication.solvers.finite_volume.krylov import gmres
 from softlub.lubrication.solvers.finite_volume.level import make_level, state_of
-from softlub.lubrication.solvers.finite_volume.richardson import extrapolate, extrapolated_sweep
 from softlub.lubrication.solvers.finite_volume.scaled import HERTZ_BODY
 from softlub.lubrication.solvers.finite_volume.transform import Transforms
 
@@ -53,22 +54,31 @@ def test_even_grid_converges_to_the_graded_one() -> None:
     assert np.array(even) == pytest.approx(np.array(graded), rel=1e-3)
 
 
+def friction_coefficient(contact: LubricatedContact) -> float:
+    return observed(contact)[0] if contact.converged else np.nan
+
+
 def test_extrapolation_removes_the_second_order() -> None:
     speeds = np.geomspace(1e-5, 10, 13)
-    limit = extrapolated_sweep(FiniteVolume(1025), PROBLEM, speeds, observed)[:, 0]
-    plain = np.array([observed(c)[0] for c in FiniteVolume(257).sweep(PROBLEM, speeds)])
-    better = extrapolated_sweep(FiniteVolume(257), PROBLEM, speeds, observed)[:, 0]
+    limit = extrapolated_sweep(FiniteVolume(1025), PROBLEM, speeds, friction_coefficient)
+    plain = np.array([friction_coefficient(c) for c in FiniteVolume(257).sweep(PROBLEM, speeds)])
+    better = extrapolated_sweep(FiniteVolume(257), PROBLEM, speeds, friction_coefficient)
     assert np.max(np.abs(better - limit)) < 1e-4
     assert np.max(np.abs(better - limit)) < 0.3 * np.max(np.abs(plain - limit))
     h = np.array([0.2, 0.1])
-    assert extrapolate(*(3 + 5 * h**2)) == pytest.approx(3)
+    assert richardson(*(3 + 5 * h**2)) == pytest.approx(3)
 
 
-def test_extrapolation_needs_nested_grids() -> None:
-    with pytest.raises(ValueError, match="nodes refine no grid"):
-        extrapolated_sweep(FiniteVolume(128), PROBLEM, [0.1], observed)
+def test_extrapolation_below_the_coarsest_grid_of_the_sweep() -> None:
+    value = extrapolated_sweep(FiniteVolume(129), PROBLEM, [0.1], friction_coefficient)
+    assert value == pytest.approx(0.03698, rel=2e-3)
+
+
+def test_extrapolation_needs_an_odd_number_of_nodes() -> None:
+    with pytest.raises(ValueError, match="odd"):
+        extrapolated_sweep(FiniteVolume(128), PROBLEM, [0.1], friction_coefficient)
 
 
 def test_extrapolation_keeps_failures_apart() -> None:
-    values = extrapolated_sweep(FiniteVolume(257, most_steps=1), PROBLEM, [0.1], observed)
+    values = extrapolated_sweep(FiniteVolume(257, most_steps=1), PROBLEM, [0.1], friction_coefficient)
     assert np.all(np.isnan(values))

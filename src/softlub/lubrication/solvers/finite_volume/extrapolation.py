@@ -67,7 +67,7 @@ def extrapolated_sweep(
 def nested_pair(
     solver: FiniteVolume, problem: Problem, speeds: Sequence[float] | FloatArray
 ) -> tuple[list[LubricatedContact], list[LubricatedContact]]:
-    """Contacts on (n + 1)/2 and on the solver's n nodes; the coarser ones are a by-product where the solver has them."""
+    """Contacts on (n + 1)/2 and n nodes; the coarser ones are a by-product where the solver passes them."""
     if solver.nodes % 2 == 0:
         raise ValueError(f"nested grids need an odd number of nodes, not {solver.nodes}")
     levels = solver.sweep_levels(problem, list(speeds))
