@@ -412,6 +412,13 @@ def test_the_configuration_names_studies(tmp_path, block):
         assert part in str(caught.value)
 
 
+def test_groups_of_outputs_hold_variables_of_the_datasets():
+    from softlub.datasets.variables import VARIABLES
+    from softlub.study.outputs import OUTPUTS
+
+    assert {name for names in OUTPUTS.values() for name in names} <= set(VARIABLES)
+
+
 def test_the_drawings_are_those_that_are_drawn():
     from softlub.figures import DRAWINGS
 

@@ -9,14 +9,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from softlub.datasets.variables import VARIABLES
 from softlub.study.fields import Choice, JsonSchema, Quantity, Words
+from softlub.study.outputs import OUTPUTS, SCALARS
 from softlub.units import Unit
 
 SPEED = Quantity(Unit("m/s", above=0))
 HEIGHT = Quantity(Unit("1", above=1, at_most=20))
 """Of a figure [inch]; every drawing has it."""
-SCALARS = Choice(tuple(VARIABLES))
+VARIABLE = Choice(tuple(name for group in SCALARS for name in OUTPUTS[group]))
 MODULES = Words(("bml", "mehl", "ehl", "spectral", "finite_volume", "auto"))
 
 
@@ -52,7 +52,7 @@ class Drawing:
 
 
 DRAWINGS: dict[str, Drawing] = {
-    "stribeck": Drawing(options={"variable": SCALARS}),
+    "stribeck": Drawing(options={"variable": VARIABLE}),
     "load_share": Drawing(),
     "friction_and_separation": Drawing(),
     "profiles": Drawing(fields=True, options={"speed": SPEED, "amplify": Quantity(Unit("1", above=0))}),

@@ -81,7 +81,7 @@ class Choice(Entry):
 
     def read(self, value: Any) -> str:
         """The word itself."""
-        if value in self.unbuilt:
+        if isinstance(value, str) and value in self.unbuilt:
             raise refusal(f"is not yet built ({self.unbuilt[value]}); allowed: {', '.join(self.allowed)}")
         if not isinstance(value, str) or value not in self.allowed:
             raise refusal(f"is unknown; {did_you_mean(str(value), self.allowed)}")

@@ -73,7 +73,7 @@ def _table(block: Any) -> dict[str, Any]:
         if key not in _TABLE_KEYS:
             raise refusal(f"has the unknown key {key}; {did_you_mean(str(key), _TABLE_KEYS)}")
     over = block.get("over")
-    if over not in _OVER:
+    if not isinstance(over, str) or over not in _OVER:
         raise refusal(f"over {over} is unknown; {did_you_mean(str(over), tuple(_OVER))}")
     at, value = (block.get(key) for key in ("at", "value"))
     if not (isinstance(at, list) and isinstance(value, list) and len(at) == len(value) >= 2):

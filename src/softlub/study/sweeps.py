@@ -106,6 +106,8 @@ def read_sweep(key: str, raw: Any, others: Mapping[str, Any], reader: SceneReade
     if not isinstance(raw, list):
         raise refusal("needs a list of values, or a range {from, to, points, spacing}")
     own = [entry.get("label") if isinstance(entry, Mapping) else None for entry in raw]
+    if not all(label is None or isinstance(label, str) for label in own):
+        raise refusal("has a label that is no text")
     bare = [_without_label(entry) for entry in raw]
     values = [
         read_entry(lambda value: paths.get(reader.canonical({**others, path: value}), path), entry, i)
