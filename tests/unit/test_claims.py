@@ -370,3 +370,10 @@ def test_escape_leaves_plain_text_alone():
 def test_studies_of_a_figure():
     assert studies_of("fig_3_16", CLAIMS) == ("ch3-stribeck", "ch3-profiles")
     assert studies_of("mine", CLAIMS) == ()
+
+
+def test_caption_names_the_domain_and_the_sources_beside_it():
+    dataset = stribeck()
+    dataset["half_domain"], dataset["hertz_half_width"] = ((), 0.02), ((), 3.125e-4)
+    assert "Domain: ±20 mm, 64 Hertz half-widths." in caption("mine", "A picture.", dataset)
+    assert "the source takes ±1 mm" in caption("fig_3_16", "A picture.", dataset, CLAIMS)

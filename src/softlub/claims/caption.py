@@ -57,7 +57,7 @@ def caption(
     about = [claim for claim in claims if figure in claim.figures and claim.kind != "figure"]
     title = str(dataset.attrs.get("title", "")).rstrip(".")
     parts = [f"**{escape(title)}.** {escape(shows)}" if title else escape(shows)]
-    parts += [_state_of_points(dataset), _domain(dataset), _stand_ins(dataset)]
+    parts += [_state_of_points(dataset), _domain(dataset, bool(about)), _stand_ins(dataset)]
     if about:
         parts.append("What the source says of it, and our numbers:")
         parts += [_statement(judgement) for judgement in evaluate(about, open_dataset)]
@@ -97,18 +97,18 @@ def _state_of_points(dataset: xr.Dataset) -> str:
     return escape(f"{counts}; crosses mark them, and curves have a gap there.")
 
 
-def _domain(dataset: xr.Dataset) -> str:
-    """The domain in force: friction above some 0.1 m/s depends on it."""
+def _domain(dataset: xr.Dataset, compared: bool) -> str:
+    """The domain in force, and beside it the source's where the figure is compared with the source."""
     if "half_domain" not in dataset or "hertz_half_width" not in dataset:
         return ""
     reach = np.atleast_1d(dataset["half_domain"].values) * 1e3
     widths = np.atleast_1d((dataset["half_domain"] / dataset["hertz_half_width"]).values)
     if not np.isfinite(reach).all():
         return ""
-    return escape(
-        f"Domain: ±{_range(reach)} mm, {_range(widths)} Hertz half-widths (the source takes ±1 mm). "
-        "It decides friction and film above some 0.1 m/s."
-    )
+    ours = f"Domain: ±{_range(reach)} mm, {_range(widths)} Hertz half-widths"
+    if not compared:
+        return escape(f"{ours}.")
+    return escape(f"{ours} (the source takes ±1 mm). It decides friction and film above some 0.1 m/s.")
 
 
 def _range(values: np.ndarray) -> str:

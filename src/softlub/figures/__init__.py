@@ -35,8 +35,8 @@ DRAWINGS: dict[str, Drawing] = {
         "module_comparison": "The same contact by different modules at one speed, over the Newton solution.",
         "parameter_study": "Friction coefficient (a) and smallest separation (b) over Hersey number for several "
         "values of one input.",
-        "regime_map": "Share of the load on asperities over the two numbers that scale the contact, with the "
-        "borders of boundary, mixed and full-film lubrication.",
+        "regime_map": "Share of the load on asperities over the two numbers that scale the contact in Hertz "
+        "units; lines show where the smallest separation is once and three times the rms roughness.",
         "sensitivity": "Share of the variance that each input explains by itself (first-order index), over speed.",
         "work_precision": "Error against CPU time.",
     }.items()
