@@ -52,10 +52,11 @@ def join(panels: Sequence[xr.Dataset], solvers: Sequence[str]) -> xr.Dataset:
         return panels[0]
     if "sample" in panels[0].dims:
         return xr.concat(panels, dim="sample", join="outer", data_vars="minimal", combine_attrs="drop")
-    everywhere = xr.align(*panels, join="outer", fill_value=NOT_ATTEMPTED)
+    # Nodes have no labels to be aligned by, so they are made equal in number first.
+    everywhere = xr.align(*_pad_nodes(panels), join="outer", fill_value=NOT_ATTEMPTED)
     solved = [name for name in everywhere[0].data_vars if _depends_on_solver(str(name), everywhere)]
     return xr.concat(
-        _pad_nodes(everywhere),
+        everywhere,
         dim=xr.Variable("solver", np.array(solvers)),
         data_vars=solved,
         coords=[name for name in ("x",) if name in everywhere[0].coords],
