@@ -11,11 +11,11 @@ import numpy as np
 import xarray as xr
 
 from softlub.datasets import store
-from softlub.lubrication.sweep import Arrays, dimensions, stack, sweep_arrays
+from softlub.lubrication.solvers import finer, make_solver
+from softlub.lubrication.speed_sweep import Arrays, dimensions, stack, sweep_arrays
 from softlub.stages import scene as scenes
 from softlub.stages.design import sample_points
 from softlub.stages.scene import Scene
-from softlub.stages.solvers import finer_solver, make_solver
 
 Spec = Mapping[str, Any]
 Variables = dict[str, tuple[tuple[str, ...], np.ndarray]]
@@ -91,14 +91,9 @@ def _drawn_scene(scene: Scene, points: Mapping[str, np.ndarray], index: int) -> 
 
 
 def _solve(spec: Spec, scene: Scene, loads: Sequence[float]) -> Arrays:
-    return sweep_arrays(
-        scenes.problem(scene, loads[0], spec["speed"][0]),
-        loads,
-        spec["speed"],
-        make_solver(spec["solver"]),
-        finer_solver(spec["solver"]),
-        fields=spec["fields"],
-    )
+    solver = make_solver(**spec["solver"])
+    problem = scenes.problem(scene, loads[0], spec["speed"][0])
+    return sweep_arrays(problem, loads, spec["speed"], solver, finer(solver), fields=spec["fields"])
 
 
 def _parameters(swept: Sequence[Scene]) -> dict[str, np.ndarray]:

@@ -13,7 +13,7 @@ from softlub.lubrication.solvers.finite_volume.scaled import LOAD
 from softlub.lubrication.solvers.modules.contact import EvenContact, Fields, even_contact
 from softlub.lubrication.solvers.modules.iteration import SMALLEST_GAP, Budget, iterate
 from softlub.lubrication.solvers.modules.march import march_upward, solve_point
-from softlub.lubrication.solvers.modules.relaxation import FILM_FACTORS, FilmFactors
+from softlub.lubrication.solvers.modules.relaxation import FilmFactors, film_factors
 from softlub.lubrication.solvers.modules.residuals import true_residuals
 from softlub.lubrication.solvers.modules.starts import Begin, fast_start
 from softlub.pressure_table import EMPTY_TABLE, PressureTable
@@ -62,8 +62,8 @@ class EHL:
     ----------
     nodes : int
         Number of nodes of the even grid.
-    relaxation : FilmFactors
-        α_l and α_c.
+    relaxation : FilmFactors, optional
+        α_l and α_c; those of the schedule in `modules.relaxation` where left out.
     memory : int
         Anderson's memory (`modules.anderson`), in the loop of gap and pressure; 0 leaves plain relaxation.
     tolerance : float
@@ -75,7 +75,7 @@ class EHL:
     """
 
     nodes: int = 1025
-    relaxation: FilmFactors = FILM_FACTORS
+    relaxation: FilmFactors | None = None
     memory: int = 20
     tolerance: float = 1e-4
     max_sweeps: int = 20_000
@@ -93,8 +93,8 @@ class EHL:
         ----------
         problem : Problem
         start : LubricatedContact, optional
-            A solution nearby, of any solver; Hertz's pressure over the soft film (at high speed Martin's rigid roller)
-            where left out.
+            A solution nearby, of any solver; Hertz's pressure over the soft film, and a march upward, where
+            left out.
 
         Returns
         -------
@@ -120,6 +120,10 @@ class EHL:
         """A full film."""
         return fast_start(contact)
 
+    def factors(self, contact: EvenContact) -> FilmFactors:
+        """Relaxation factors in force."""
+        return self.relaxation or film_factors(contact.speed_number)
+
     def settle(self, contact: EvenContact, start: Fields, tolerance: float, budget: Budget) -> Fields:
         """The outer loop: rounds at one approach each, until pressure, gap and load agree."""
         fluid = start.fluid + start.solid
@@ -132,7 +136,7 @@ class EHL:
             if residuals.largest <= tolerance or budget.is_spent:
                 return fields
             force = contact.force(fields.fluid)
-            slope = -self.relaxation.approach
+            slope = -self.factors(contact).approach
             if last is not None and (fields.approach - last[0]) * (force - last[1]) < 0:
                 slope = (fields.approach - last[0]) / (force - last[1])
             last = (fields.approach, force)
@@ -146,7 +150,7 @@ class EHL:
         def measure(fields: Fields, change: FloatArray) -> float:
             error = abs(contact.force(fields.fluid) / LOAD - 1)
             wanted = max(ROUND_TOLERANCE * tolerance, ROUND_SHARE * error)
-            return float(np.max(np.abs(change))) / (self.relaxation.fluid * wanted)
+            return float(np.max(np.abs(change))) / (self.factors(contact).fluid * wanted)
 
         return iterate(
             lambda fields: self.relax(contact, fields),
@@ -161,7 +165,7 @@ class EHL:
     def relax(self, contact: EvenContact, fields: Fields) -> Fields:
         """One sweep: the relaxed pressure for the given gap, and the gap of that pressure."""
         exact = contact.reynolds_pressure(fields.gap, fields.fluid)
-        fluid = fields.fluid + self.relaxation.fluid * (exact - fields.fluid)
+        fluid = fields.fluid + self.factors(contact).fluid * (exact - fields.fluid)
         gap = contact.scaled.gap(fluid, fields.approach)
         gap = np.maximum(gap, np.maximum((1 - LARGEST_CLOSING) * fields.gap, SMALLEST_GAP))
         return fields._replace(fluid=fluid, gap=gap)

@@ -1,12 +1,13 @@
 """Relaxation factors over speed: a stand-in for the ones that the source does not print.
 
 The source gives ranges (table 3-2) and says that the factors grow with speed and that α_f < α_u < α_s in the
-boundary-mixed module. The factors below keep to those ranges. The schedule is listed over the speed number
+boundary-mixed module. The factors below keep to those ranges. Schedules are listed over the speed number
 λ = 6ηvR²/(a³p0), 9.87 times the speed in m/s for the system of table 3-1, and interpolated linearly in ln λ.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -56,9 +57,11 @@ MIXED_FACTORS = {
 }
 """Reynolds sweep -> factors, the same at every speed: a Gauss–Seidel pass changes long waves little by itself."""
 
-FILM_FACTORS = FilmFactors(fluid=0.7, approach=0.1)
-"""The same at every speed, as in the source."""
-
+FILM_SCHEDULE = {
+    3e-2: FilmFactors(fluid=0.1, approach=0.1),
+    1e0: FilmFactors(fluid=0.7, approach=0.1),
+}
+"""λ -> factors; constant outside. The source uses 0.6 to 0.8 in the full film, where λ > 1; thinner films need less."""
 
 SOFT_ROUGHNESS = 0.1
 """h_rms R/a² (that of table 3-1) below which α_u falls in proportion: asperities gain stiffness as 1/h_rms."""
@@ -66,7 +69,16 @@ SOFT_ROUGHNESS = 0.1
 
 def boundary_factors(speed_number: float, roughness: float) -> BoundaryFactors:
     """Factors of the boundary-mixed module at λ and h_rms R/a²."""
-    places = np.log(list(BOUNDARY_SCHEDULE))
-    columns = np.array(list(BOUNDARY_SCHEDULE.values())).T
-    fluid, gap, solid = (float(np.interp(np.log(speed_number), places, column)) for column in columns)
+    fluid, gap, solid = _interpolate(BOUNDARY_SCHEDULE, speed_number)
     return BoundaryFactors(fluid, gap * min(1.0, roughness / SOFT_ROUGHNESS), solid)
+
+
+def film_factors(speed_number: float) -> FilmFactors:
+    """Factors of the full-film module at λ."""
+    return FilmFactors(*_interpolate(FILM_SCHEDULE, speed_number))
+
+
+def _interpolate(schedule: Mapping[float, tuple[float, ...]], speed_number: float) -> list[float]:
+    places = np.log(list(schedule))
+    columns = np.array(list(schedule.values())).T
+    return [float(np.interp(np.log(speed_number), places, column)) for column in columns]

@@ -8,7 +8,6 @@ import numpy as np
 
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.finite_volume.scaled import LOAD
-from softlub.lubrication.solvers.finite_volume.start import MARTIN, rigid_start
 from softlub.lubrication.solvers.modules.contact import EvenContact, Fields
 from softlub.lubrication.solvers.modules.inverse_law import gap_at_pressure
 from softlub.lubrication.solvers.modules.iteration import SMALLEST_GAP
@@ -16,8 +15,8 @@ from softlub.protocols import FloatArray
 
 SOFT_FILM = 0.446
 """Central film of the soft similarity solution, H = 0.446 λ^0.6."""
-SPEED_OF_RIGID_FILM = (SOFT_FILM / MARTIN) ** 2.5
-"""λ at which Martin's rigid film and the soft film are equally thick, 3.9."""
+HERTZIAN_SPEED_NUMBER = 1.0
+"""λ up to which the pressure of a full film resembles Hertz's."""
 NEGLIGIBLE_FILM = 0.02
 """Soft film over roughness below which a dry contact is a good start."""
 MIXED_FILM = 0.3
@@ -38,17 +37,10 @@ def dry_start(contact: EvenContact) -> Fields:
 
 
 def film_start(contact: EvenContact) -> Fields:
-    """Pressure carried by the fluid: Hertz's with the soft film, or Martin's rigid roller at higher speed."""
-    speed_number = contact.speed_number
-    if speed_number > SPEED_OF_RIGID_FILM:
-        state = rigid_start(contact.scaled, speed_number)
-        gap = contact.scaled.gap(state.pressure, state.approach)
-        lift = max(0.0, 0.5 * MARTIN * speed_number - float(gap.min()))
-        fluid = state.pressure - contact.scaled.solid(gap)[0]
-        return Fields(fluid, np.zeros_like(fluid), gap + lift, state.approach + lift)
+    """Hertz pressure carried by the fluid, over the film of the soft similarity solution."""
     pressure = hertz_pressure(contact)
     lowest = int(np.argmin(contact.scaled.gap(pressure, 0.0)))
-    opening = SOFT_FILM * speed_number**0.6
+    opening = SOFT_FILM * contact.speed_number**0.6
     return _fields_around(contact, pressure, np.zeros_like(pressure), lowest, opening)
 
 
@@ -108,5 +100,7 @@ def slow_start(contact: EvenContact) -> Begin:
 
 
 def fast_start(contact: EvenContact) -> Begin:
-    """A full film at the contact's own λ."""
-    return Begin(contact.speed_number, film_start(contact))
+    """A full film at the contact's own λ, or at the highest λ at which Hertz's pressure still is a good start."""
+    speed_number = min(contact.speed_number, HERTZIAN_SPEED_NUMBER)
+    slower = contact.at(contact.problem.speed * speed_number / contact.speed_number)
+    return Begin(speed_number, film_start(slower))

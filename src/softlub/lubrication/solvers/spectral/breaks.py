@@ -80,7 +80,8 @@ def element_breaks(
             rupture = 1.0
         outlet, growth = max(1 + scale - rupture, 0.3 * scale), INLET_GROWTH
     else:
-        scale = 0.6 * np.sqrt(2 * max(approach, 0.7 * roughness) + 1)
+        # A film so thick that the domain starves it has the domain's scale.
+        scale = min(0.6 * np.sqrt(2 * max(approach, 0.7 * roughness) + 1), 0.25 * (rupture - ends[0]))
         count = _film_inlet(found, rupture, scale, ends[0])
         inlet = count - 1
         outlet, growth = scale, FILM_GROWTH
