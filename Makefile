@@ -44,4 +44,5 @@ help: ## this list
 		{ echo "softlub needs Python 3.11 or newer; found $$($(PYTHON) --version). Name one: make PYTHON=/path/to/python3.11"; exit 1; }
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
+	$(BIN)/python workflow/scripts/compile_kernels.py
 	touch $@

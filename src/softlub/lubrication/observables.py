@@ -13,8 +13,9 @@ WIDTH_LEVEL = 1e-3
 """The contact is as wide as the total pressure exceeds this part of its maximum."""
 PERCOLATION_AREA = 0.4
 """Real contact above this part of the nominal area closes the last channel of the film."""
-PARABOLA_LIMIT = 0.5
-"""Pressurised half-width over radius above which the parabola x²/(2R) and the half-space lose their meaning."""
+PARABOLA_LIMIT = 0.9
+"""Pressurised half-width over radius above which a point lies outside the half-space: there the parabola misses the circle
+by a quarter, and no body is left to be a half-space."""
 
 
 def observe(contact: LubricatedContact, problem: Problem) -> dict[str, float]:
