@@ -86,7 +86,7 @@ def element_breaks(
         inlet = count - 1
         outlet, growth = scale, FILM_GROWTH
     while found[count - 1] < ends[1]:
-        found[count] = rupture + outlet
+        found[count] = min(rupture + outlet, -ends[0])
         outlet *= growth
         count += 1
     return found[:count].copy(), inlet

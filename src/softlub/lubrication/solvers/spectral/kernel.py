@@ -20,23 +20,32 @@ def log_moments(position: float, moments: FloatArray, functions: FloatArray) -> 
     """Fill `moments` with ∫ ln|t - τ| P_k(τ) dτ, k = 0 … p; `functions` is scratch of length p + 2."""
     order = moments.size - 1
     t = abs(position)
-    if t <= FORWARD_LIMIT:
-        # At the ends the logarithm of Q_0 meets a zero factor in every difference: leave it out.
-        functions[0] = 0.0 if t == 1.0 else 0.5 * np.log((1.0 + t) / abs(1.0 - t))
-        functions[1] = t * functions[0] - 1.0
-        for k in range(1, order + 1):
-            functions[k + 1] = ((2 * k + 1) * t * functions[k] - k * functions[k - 1]) / (k + 1)
+    if t == 1.0:
+        # The logarithm of Q_0 meets a zero factor in every difference that is used: it is left out.
+        functions[0] = 0.0
+        moments[0] = 2 * np.log(2.0) - 2.0
+        _forward(t, functions)
+    elif t <= FORWARD_LIMIT:
+        outer, near = np.log(1.0 + t), np.log(abs(1.0 - t))
+        functions[0] = 0.5 * (outer - near)
+        moments[0] = (1.0 + t) * outer + (1.0 - t) * near - 2.0
+        _forward(t, functions)
     else:
         _decaying_functions(t, functions)
-    if t == 1.0:
-        moments[0] = 2 * np.log(2.0) - 2.0
-    else:
-        moments[0] = (1.0 + t) * np.log(1.0 + t) + (1.0 - t) * np.log(abs(1.0 - t)) - 2.0
+        moments[0] = np.log(t * t - 1.0) + 2 * functions[1]
     sign = 1.0 if position >= 0 else -1.0
     for k in range(1, order + 1):
         moments[k] = 2 * (functions[k + 1] - functions[k - 1]) / (2 * k + 1)
         if k % 2 == 1:
             moments[k] *= sign
+
+
+@njit(cache=True)
+def _forward(t: float, functions: FloatArray) -> None:
+    """Fill Q_1 … Q_{p+1} from Q_0 by the forward recurrence."""
+    functions[1] = t * functions[0] - 1.0
+    for k in range(1, functions.size - 1):
+        functions[k + 1] = ((2 * k + 1) * t * functions[k] - k * functions[k - 1]) / (k + 1)
 
 
 @njit(cache=True)

@@ -10,7 +10,8 @@ from numba import njit
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
 from softlub.lubrication.solvers.spectral.equations import Fields, Grid, Scene, separation
 from softlub.lubrication.solvers.spectral.grid import element_of, interpolation_weights
-from softlub.lubrication.solvers.spectral.remainder import END_POINTS, Remainder, end_correction
+from softlub.lubrication.solvers.spectral.remainder import END_POINTS, end_correction
+from softlub.lubrication.solvers.spectral.remesh import Mesh
 
 # Columns of `Outcome.fields` and of `Outcome.numbers`.
 POSITION, WEIGHT, FLUID, SOLID, GAP, GRADIENT = range(6)
@@ -37,14 +38,14 @@ def record(
     row: int,
     state: FloatArray,
     speed_number: float,
-    grid: Grid,
-    remainder: Remainder,
+    mesh: Mesh,
     scene: Scene,
     basis: Basis,
     fields: Fields,
     outcome: Outcome,
 ) -> None:
     """Write one solution; `fields` holds its last evaluation."""
+    grid, remainder = mesh.grid, mesh.remainder
     n, far = grid.nodes.size, remainder.nodes.size
     order = basis.nodes.size - 1
     last = grid.inlet * order

@@ -1,0 +1,109 @@
+"""The spectral solver against what is known in closed form: thick, soft, slow and dry films; and extreme scenes."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from softlub.contact.laws.none import NoContact
+from softlub.contact.laws.persson import PerssonLaw
+from softlub.lubrication.film import Lubricant
+from softlub.lubrication.friction import friction
+from softlub.lubrication.problem import HalfSpaceCylinder, Problem
+from softlub.lubrication.solvers.spectral import Spectral
+from softlub.references.dry_limit import real_contact_width
+from softlub.surfaces.spectrum import SelfAffine
+
+MODULUS = 1e7 / (1 - 0.4999**2)
+SMOOTH = Problem(HalfSpaceCylinder(0.01, MODULUS), NoContact(), Lubricant(0.1), 100.0, 1.0)
+SPECTRUM = SelfAffine(rms_roughness=1e-6, hurst=0.8, rolloff=1e4, cutoff=7.8e9)
+ROUGH = replace(SMOOTH, law=PerssonLaw(SPECTRUM, MODULUS), rms_roughness=1e-6)
+
+
+def at_speed_numbers(problem, speed_numbers, order=8):
+    unit = problem.at(speed=1.0).speed_number
+    contacts = Spectral(order).sweep(problem, np.asarray(speed_numbers) / unit)
+    assert all(c.converged for c in contacts)
+    return contacts
+
+
+def test_martins_rigid_roller():
+    """u_min = 2.447 ηvR/W where the film is thick against the deflection, and the inlet wide against the film."""
+    wide = replace(SMOOTH, half_domain=1e5 * SMOOTH.hertz.half_width)
+    contact = at_speed_numbers(wide, [1e6])[0]
+    coefficient = (
+        contact.separation_min * wide.load / (wide.lubricant.viscosity * contact.speed * wide.body.radius)
+    )
+    assert coefficient == pytest.approx(2.447, abs=1e-3)
+
+
+def test_soft_similarity_film():
+    """u(0) -> 0.446 λ^(3/5) a²/R and u_min -> 0.355 λ^(3/5) a²/R, from above."""
+    numbers = np.array([1e-3, 1e-5, 1e-7])
+    contacts = at_speed_numbers(SMOOTH, numbers)
+    scale = SMOOTH.hertz.gap_scale * numbers**0.6
+    central = np.array([c.separation_central for c in contacts]) / scale
+    smallest = np.array([c.separation_min for c in contacts]) / scale
+    assert np.all(np.diff(np.abs(central - 0.4458)) < 0)
+    assert central[-1] == pytest.approx(0.446, abs=5e-4)
+    assert 0.354 < smallest[-1] < 0.3555
+
+
+def test_slow_smooth_contact_is_hertzian():
+    errors = []
+    for contact in at_speed_numbers(SMOOTH, [1e-3, 1e-5, 1e-7]):
+        hertz = SMOOTH.hertz
+        dry = hertz.peak_pressure * np.sqrt(np.maximum(0, 1 - (contact.positions / hertz.half_width) ** 2))
+        errors.append(np.max(np.abs(contact.fluid_pressure - dry)) / hertz.peak_pressure)
+    # The pressure leaves Hertz's within an edge layer of width λ^(2/5), where it is of order λ^(1/5).
+    np.testing.assert_allclose(np.diff(np.log(errors)) / np.log(1e-2), 0.2, atol=0.03)
+
+
+def test_dry_limit():
+    """The slower, the nearer to the erf area on a dry rough contact, itself near that on Hertz's pressure."""
+    contacts = at_speed_numbers(ROUGH, [1e-7, 1e-6])
+    widths = [friction(c, ROUGH.law, 0.1).real_contact_width for c in contacts]
+    shares = [friction(c, ROUGH.law, 0.1).load_share_solid for c in contacts]
+    hertz = ROUGH.hertz
+    dry = real_contact_width(hertz.half_width, hertz.peak_pressure, MODULUS, SPECTRUM.rms_slope)
+    assert shares[0] > 0.995
+    assert abs(widths[0] - dry) < abs(widths[1] - dry)
+    assert widths[0] == pytest.approx(dry, rel=5e-3)
+
+
+def random_scene(rng):
+    def between(low, high):
+        return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+    modulus = between(0.5e6, 50e6) / 0.75
+    height = between(0.02e-6, 10e-6)
+    spectrum = SelfAffine(height, 0.8, 1e4, 7.8e9)
+    law, height = (NoContact(), 0.0) if rng.uniform() < 0.2 else (PerssonLaw(spectrum, modulus), height)
+    return Problem(
+        HalfSpaceCylinder(0.01, modulus), law, Lubricant(between(1e-3, 1)), between(0.01, 1e4), 1.0, height
+    )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_random_scenes_are_solved_or_flagged_and_estimate_their_error(seed):
+    rng = np.random.default_rng(seed)
+    problem = random_scene(rng)
+    speeds = np.geomspace(1e-5, 10, 9)
+    contacts = Spectral().sweep(problem, speeds)
+    finer = Spectral().refined().sweep(problem, speeds)
+    finest = Spectral(16).sweep(problem, speeds)
+    assert sum(c.converged for c in contacts) >= len(speeds) - 1
+    for contact, fine, truth in zip(contacts, finer, finest, strict=True):
+        if not (contact.converged and fine.converged and truth.converged):
+            continue
+        estimate = abs(contact.separation_min - fine.separation_min)
+        error = abs(contact.separation_min - truth.separation_min)
+        assert error <= 3 * estimate + 2e-4 * truth.separation_min
+        assert error <= 1e-2 * truth.separation_min
+
+
+@pytest.mark.parametrize("speed", [1e-5, 1e-2, 10.0])
+def test_a_single_cold_speed_is_solved(speed):
+    contact = Spectral().solve(ROUGH.at(speed=speed))
+    assert contact.converged
+    assert contact.residual < 1e-9
