@@ -30,7 +30,7 @@ def edge_faces(pressure: NDArray[np.floating], periodic: bool) -> int:
     ----------
     pressure : ndarray, shape (nx, ny)
     periodic : bool
-        Whether opposite edges touch; else beyond the edge nothing carries pressure.
+        Whether opposite edges touch; else contact that reaches the edge ends there along a straight line: no excess.
 
     Returns
     -------
@@ -43,8 +43,6 @@ def edge_faces(pressure: NDArray[np.floating], periodic: bool) -> int:
         faces += int(np.count_nonzero(along[1:] != along[:-1]))
         if periodic:
             faces += int(np.count_nonzero(along[0] != along[-1]))
-        else:
-            faces += int(np.count_nonzero(along[0]) + np.count_nonzero(along[-1]))
     return faces
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,3 +72,7 @@ class ContactSolution:
         if self.nominal_pressure == 0:
             return float(self.pressure.max())
         return float(self.pressure.mean() / self.nominal_pressure - 1)
+
+    def failed(self) -> ContactSolution:
+        """The same, flagged as not converged: it is not the contact that was asked for."""
+        return replace(self, converged=False)

@@ -49,18 +49,30 @@ class CoarseCorrection:
         """Mean of the gap over the free set, weighted with φ."""
         return float(self.gap_sums.sum(dtype=float) / self.weight_sums.sum(dtype=float))
 
-    def correction(self) -> NDArray[Any]:
-        """Correction of every block over φ, without net load: Σ φ c = 0; shape of the blocks."""
+    def correction(self) -> tuple[NDArray[Any], float, float]:
+        """What to add to S_F g on every block, over φ, so that z carries no net load.
+
+        Returns
+        -------
+        correction : ndarray, shape of the blocks
+            The coarse correction, less δ (S_F acts on the gap above δ) and a constant that clears the load.
+        mean : float
+            δ, the mean of the gap over the free set, weighted with φ.
+        product : float
+            Sum of the gap times what is added.
+        """
+        mean = self.mean_gap()
         weight = np.maximum(self.weight_sums, 0)
         root = np.where(weight > 0, 1 / np.sqrt(np.where(weight > 0, weight, 1)), 0)
-        excess = self.gap_sums - self.mean_gap() * self.weight_sums
-        mean_weight = float(weight.sum(dtype=float)) / self._points
+        total = float(weight.sum(dtype=float))
         rows, columns = self.shape
-        self._transform.source[:rows, :columns] = root * excess
+        self._transform.source[:rows, :columns] = root * (self.gap_sums - mean * self.weight_sums)
         self._transform.forward()
-        # λ / (1 + λ) with λ = mean_weight / phase; 1 for the mean
+        # λ / (1 + λ) with λ = k / Q; 1 for the mean
+        mean_weight = total / self._points
         self._transform.spectrum *= self._norm * mean_weight / (mean_weight + self._phase)
         self._transform.inverse()
-        correction = -root * self._transform.result[:rows, :columns]
-        load = float((weight * correction).sum(dtype=float))
-        return np.asarray((correction - load / weight.sum(dtype=float)).astype(weight.dtype))
+        added = -root * self._transform.result[:rows, :columns]
+        added -= float((weight * added).sum(dtype=float)) / total + mean
+        product = float((self.gap_sums * added).sum(dtype=float))
+        return np.asarray(added.astype(weight.dtype)), mean, product

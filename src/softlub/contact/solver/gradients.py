@@ -18,15 +18,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from softlub.contact.solver import passes
+from softlub.contact.solver import free_set, steps
 from softlub.contact.solver.coarse import BLOCK, CoarseCorrection
 from softlub.contact.solver.compliance import Compliance
+from softlub.contact.solver.projection import project_onto_load
 from softlub.contact.solver.stencil import stencil_taps
 
-RENEWAL = 0.03
-"""Relative change of the number of free points at which φ is computed anew."""
 CLIPPED_SHARE = 0.01
 """Share of the load that a projection must clip for its full step to be preferred to the exact factor."""
+LEAST_FULL_FACTOR = 0.7
+"""Exact factor above which it may be; a full step lowers the energy wherever the factor exceeds one half."""
+LEAST_FACTOR = 0.1
+"""Exact factor below which the next direction is the steepest."""
+STEP_CHANGE = 1.4
+"""By what the length of the trial may grow or shrink from one iteration to the next."""
+RELEASE = float(free_set.RELEASE)
+RELEASE_GROWTH = 4.0
+"""By what the release is raised where the step leads uphill or nowhere; it falls back by as much a step."""
+MOST_RELEASE = 2.0
+"""Largest release, near the stiffness of a single point, π / √2."""
+STEEPEST_STEP = 1.0
+"""Pressure per gap of a step of the steepest descent; the compliance of the shortest waves is 1 / (π √2)."""
 LOAD_SLACK = 1e-3
 """Relative error of the load above which a projected trial is scaled back to it."""
 PATIENCE = 12
@@ -96,10 +108,9 @@ class FreeSetGradients:
         self.level = float(self.gap.mean(dtype=float, where=self.pressure > 0))
         self._compliance.source[:] = 0  # it holds the direction between iterations
         self._steepest()
-        self._weighted_count = 0.0
         best, since, restarts = np.inf, 0, 0
         while True:
-            count, residual = self._measure()
+            residual, product, product_last = self._weigh()
             progress.residuals.append(residual)
             if residual <= tolerance:
                 return True
@@ -111,93 +122,103 @@ class FreeSetGradients:
             if restarts > RESTARTS or progress.iterations >= limit:
                 return False
             since += 1
-            if self._renew(count):
-                self._measure()
-            self._iterate()
+            self._iterate(product, product_last)
             progress.iterations += 1
 
     def _steepest(self) -> None:
         self._momentum_scale = 0.0
         self._step = 1.0
         self._last_product = 0.0
-        self._stale = True
+        self._release = RELEASE
 
-    def _measure(self) -> tuple[float, float]:
-        count, square = passes.measure(
+    def _weigh(self) -> tuple[float, float, float]:
+        """Residual, and the products of the gap with the stencil's share of z and with the last z."""
+        count, square, product, product_last = free_set.weigh(
             self.pressure,
             self.gap,
-            self._weight,
             self._number(self.level),
+            self._number(self._release),
+            self._taps,
+            self._wrap,
             BLOCK,
+            self._weight,
+            self._preconditioned,
             self._coarse.gap_sums,
             self._coarse.weight_sums,
         )
-        return count, float(np.sqrt(square / count))
+        return float(np.sqrt(square / max(count, 1.0))), product, product_last
 
-    def _renew(self, count: float) -> bool:
-        """Compute φ anew where the free set has changed enough; whether it was."""
-        if not self._stale and abs(count - self._weighted_count) <= RENEWAL * self._weighted_count:
-            return False
-        passes.stencil_of_free_set(
-            self.pressure, self.gap, self._number(self.level), self._taps, self._wrap, self._weight
-        )
-        self._weighted_count = count
-        self._stale = False
-        return True
-
-    def _iterate(self) -> None:
-        number = self._number
-        shift = self._coarse.mean_gap()
-        product, product_last, _ = passes.precondition(
-            self.pressure,
-            self.gap,
-            self._weight,
-            number(self.level),
-            number(shift),
-            self._taps,
-            self._wrap,
-            self._coarse.correction(),
-            BLOCK,
-            self._preconditioned,
-        )
+    def _iterate(self, product: float, product_last: float) -> None:
+        coarse, shift, coarse_product = self._coarse.correction()
+        product += coarse_product
         momentum = 0.0
         if self._momentum_scale > 0 and self._last_product > 0:
             momentum = max(0.0, (product - product_last) / self._last_product) * self._momentum_scale
         self._last_product = product
-        slope, clipped = self._project(momentum, shift)
+        slope, clipped = self._project(coarse, momentum, shift)
+        if slope >= 0:  # points about to leave the contact lead uphill
+            release = self._release
+            self._steepest()
+            if release < MOST_RELEASE:
+                self._release = min(RELEASE_GROWTH * release, MOST_RELEASE)
+                return
+            slope, clipped = self._descend(), 1.0
         energy = self._compliance.apply()
         factor = self._factor(-slope / energy if energy > 0 else 0.0, clipped)
-        carrying, gaps, _ = passes.advance(
-            self.pressure, self.gap, self._compliance.source, self._compliance.result, number(factor)
+        carrying, gaps, _ = steps.advance(
+            self.pressure, self.gap, self._compliance.source, self._compliance.result, self._number(factor)
         )
         self.level = gaps / carrying
 
-    def _project(self, momentum: float, shift: float) -> tuple[float, float]:
+    def _project(self, coarse: NDArray[Any], momentum: float, shift: float) -> tuple[float, float]:
         """Write the step to the projected trial into the compliance's source; return its slope and clipped share."""
         number, move = self._number, self._compliance.source
-        total, weight, clipped = passes.search(
-            self.pressure, self._weight, self._preconditioned, move, number(momentum), number(self._step)
+        total, weight, clipped = steps.search(
+            self.pressure,
+            self.gap,
+            self._weight,
+            number(self.level),
+            number(self._release),
+            coarse,
+            BLOCK,
+            self._preconditioned,
+            move,
+            number(momentum),
+            number(self._step),
         )
         lift = (self.load - total) / weight
         level = number(self.level + shift)
-        slope, total = passes.project(
+        slope, total = steps.project(
             self.pressure, self.gap, self._weight, move, number(self._step), number(lift), level
         )
         if abs(total - self.load) > LOAD_SLACK * self.load:
-            slope = passes.rescale(self.pressure, self.gap, move, number(self.load / total), level)
+            slope = steps.rescale(self.pressure, self.gap, move, number(self.load / total), level)
         return slope, clipped / self.load
+
+    def _descend(self) -> float:
+        """Write the step of the projected steepest descent into the compliance's source; return its slope.
+
+        Projecting a preconditioned direction may lead uphill, where many points are about to leave the contact. The
+        plain gradient, projected in the plain metric, never does.
+        """
+        number, move = self._number, self._compliance.source
+        np.subtract(self.pressure, STEEPEST_STEP * (self.gap - number(self.level)), out=move)
+        project_onto_load(move, self.load, self._preconditioned)
+        np.subtract(self._preconditioned, self.pressure, out=move)
+        return float(np.vdot(move, self.gap - number(self.level)))
 
     def _factor(self, exact: float, clipped: float) -> float:
         """Factor of the step that is taken, and the state for the next direction."""
-        if clipped > CLIPPED_SHARE and exact > 0.5:
+        if clipped > CLIPPED_SHARE and exact > LEAST_FULL_FACTOR:
             taken = 1.0
         elif exact > 1:
-            taken = 1.0 if clipped > 0 else min(exact, passes.room(self.pressure, self._compliance.source))
+            taken = 1.0 if clipped > 0 else min(exact, steps.room(self.pressure, self._compliance.source))
         else:
             taken = max(exact, 0.0)
         self._momentum_scale = 1 / self._step
-        if exact < 0.1:
-            self._stale = True
+        self._release = max(self._release / RELEASE_GROWTH, RELEASE)
+        if exact < LEAST_FACTOR:
             self._momentum_scale = 0.0
-        self._step *= min(2.0, max(0.5, exact))
+            self._release = min(RELEASE_GROWTH**2 * self._release, MOST_RELEASE)
+        self._step *= min(STEP_CHANGE, max(1 / STEP_CHANGE, exact))
         return taken

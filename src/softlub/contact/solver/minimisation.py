@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from softlub.contact.solver import passes
+from softlub.contact.solver import free_set
 from softlub.contact.solver.compliance import FreeCompliance, PeriodicCompliance
 from softlub.contact.solver.gradients import FreeSetGradients, Progress
 from softlub.contact.solver.projection import project_onto_load
@@ -121,7 +121,7 @@ class Minimisation:
             np.subtract(self._single.result, self.heights, out=minimiser.gap, casting="same_kind")
             reached = minimiser.minimise(max(REBUILT_AT, tolerance), limit, progress)
             for _ in range(SINGLE_ATTEMPTS):
-                self._rebuild(minimiser.pressure, load)
+                self._rebuild(minimiser.pressure, load, minimiser)
                 if not reached or self.residual <= tolerance:
                     break
                 minimiser.pressure[:] = self.pressure
@@ -134,7 +134,7 @@ class Minimisation:
             minimiser.pressure[:] = self.pressure
             minimiser.gap[:] = self.gap
             minimiser.minimise(MARGIN * tolerance, limit, progress)
-            self._rebuild(minimiser.pressure, load)
+            self._rebuild(minimiser.pressure, load, minimiser)
         progress.residuals.append(self.residual)
         return progress
 
@@ -145,15 +145,19 @@ class Minimisation:
         self._minimisers[precision].load = load
         return self._minimisers[precision]
 
-    def _rebuild(self, pressure: NDArray[np.floating], load: float) -> None:
+    def _rebuild(
+        self, pressure: NDArray[np.floating], load: float, minimiser: FreeSetGradients | None = None
+    ) -> None:
         """Scale a pressure to the load and compute its gap, level and residual, all in double precision."""
         source = self._double.source
         source[:] = pressure
+        if minimiser is not None:
+            source[minimiser.pressure <= free_set.RELEASE * (minimiser.gap - minimiser.level)] = 0
         source *= load / source.sum()
         self._double.apply()
         self.pressure = source
         self.gap = np.subtract(self._double.result, self.heights, out=self._double.result)
         carrying = source > 0
         self.level = float(self.gap.mean(where=carrying))
-        count, square = passes.residual_squares(source, self.gap, self.level)
+        count, square = free_set.residual_squares(source, self.gap, self.level)
         self.residual = float(np.sqrt(square / count))

@@ -6,7 +6,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from softlub.contact.solver import passes
+from softlub.contact.solver import steps
 
 STEPS = 60
 """Newton steps at most; each at least halves the distance to the shift where the load is far off."""
@@ -27,7 +27,7 @@ def project_onto_load(values: NDArray[Any], load: float, out: NDArray[Any]) -> N
     number = values.dtype.type
     shift = load / values.size - float(values.mean(dtype=float))
     for _ in range(STEPS):
-        total, count = passes.clipped(values, number(shift), out)
+        total, count = steps.clipped(values, number(shift), out)
         excess = total - load
         if excess <= 1e-6 * load or count == 0:
             break
