@@ -126,7 +126,7 @@ class BML:
 
     def relax(self, contact: EvenContact, fields: Fields) -> Fields:
         """One sweep."""
-        factors = self.relaxation or boundary_factors(contact.speed_number, contact.scaled.roughness)
+        factors = self.relaxation or boundary_factors(contact.speed_number)
         exact_fluid = contact.reynolds_pressure(fields.gap, fields.fluid)
         fluid = fields.fluid + factors.fluid * (exact_fluid - fields.fluid)
         scaled_solid = fields.solid * _renormalisation(contact, fluid, fields.solid)

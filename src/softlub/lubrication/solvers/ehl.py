@@ -20,7 +20,7 @@ from softlub.pressure_table import EMPTY_TABLE, PressureTable
 from softlub.protocols import FloatArray
 
 ROUND_TOLERANCE = 0.1
-"""What a round at one approach has to reach: this part of the tolerance, or …"""
+"""What a round at one approach has to reach: this part of the tolerance (less where that turns out not to do), or …"""
 ROUND_SHARE = 1e-2
 """… this part of the error of the load, where that is larger."""
 LARGEST_CLOSING = 0.7
@@ -129,12 +129,15 @@ class EHL:
         fluid = start.fluid + start.solid
         fields = Fields(fluid, np.zeros_like(fluid), start.gap, start.approach)
         last: tuple[float, float] | None = None
+        wanted = ROUND_TOLERANCE * tolerance
         while True:
-            fields = self._round(contact, fields, tolerance, budget)
+            fields = self._round(contact, fields, wanted, budget)
             residuals = true_residuals(contact, fields)
             budget.history.append(residuals.largest)
             if residuals.largest <= tolerance or budget.is_spent:
                 return fields
+            if residuals.load <= tolerance:
+                wanted *= ROUND_TOLERANCE
             force = contact.force(fields.fluid)
             slope = -self.factors(contact).approach
             if last is not None and (fields.approach - last[0]) * (force - last[1]) < 0:
@@ -144,13 +147,13 @@ class EHL:
             move = np.clip(slope * (LOAD - force), -LARGEST_CLOSING * smallest, LARGEST_OPENING * smallest)
             fields = fields._replace(approach=fields.approach + float(move))
 
-    def _round(self, contact: EvenContact, start: Fields, tolerance: float, budget: Budget) -> Fields:
-        """The intermediate loop: gap and pressure at one approach."""
+    def _round(self, contact: EvenContact, start: Fields, wanted: float, budget: Budget) -> Fields:
+        """The intermediate loop: gap and pressure at one approach, until their changes are as small as wanted."""
+        fluid_factor = self.factors(contact).fluid
 
         def measure(fields: Fields, change: FloatArray) -> float:
             error = abs(contact.force(fields.fluid) / LOAD - 1)
-            wanted = max(ROUND_TOLERANCE * tolerance, ROUND_SHARE * error)
-            return float(np.max(np.abs(change))) / (self.factors(contact).fluid * wanted)
+            return float(np.max(np.abs(change))) / (fluid_factor * max(wanted, ROUND_SHARE * error))
 
         return iterate(
             lambda fields: self.relax(contact, fields),

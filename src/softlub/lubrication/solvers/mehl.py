@@ -109,7 +109,7 @@ class MEHL:
         slower = contact.at(contact.problem.speed * speed_number / contact.speed_number)
         boundary = BML(self.nodes)
         fields = follow(boundary, slower, boundary.begin(slower, budget), budget)
-        return Begin(speed_number, boundary.settle(slower, fields, WAY_TOLERANCE, budget))
+        return Begin(speed_number, boundary.settle(slower, fields, WAY_TOLERANCE, budget), True)
 
     def settle(self, contact: EvenContact, start: Fields, tolerance: float, budget: Budget) -> Fields:
         """Iterate at one speed."""

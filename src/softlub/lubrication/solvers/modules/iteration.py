@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -16,7 +16,9 @@ from softlub.protocols import FloatArray
 LARGEST_LOG_CHANGE = 0.5
 """Largest change of ln H at any node that an accelerated step may make."""
 DIVERGENCE = 30.0
-"""Growth of the residual over the best one that sends the accelerated iteration back to it."""
+"""Growth of the residual over the best one that sends the accelerated iteration back to it, with half the steps."""
+SMALLEST_MIXING = 1e-2
+"""Share of a sweep's change below which repeated returns do not shrink it."""
 SHORTEST_MEMORY = 4
 """Memory below which repeated returns do not shrink it."""
 SMALLEST_GAP = 1e-9
@@ -115,26 +117,33 @@ def iterate(
     """
     fields = start
     accelerator = Anderson(memory, pack(start, layout).size)
-    best = (float("inf"), np.empty(0), np.empty(0))
-    residual = float("inf")
-    for count in range(budget.max_sweeps + 1):
-        state = pack(fields, layout)
+    best = _Best(float("inf"), start)
+    mixing = 1.0
+    while True:
         swept = sweep(fields)
         budget.sweeps += 1
+        state = pack(fields, layout)
         change = pack(swept, layout) - state
-        if count % check_every == 0 or budget.is_spent:
+        if (budget.sweeps - 1) % check_every == 0 or budget.is_spent:
             residual = measure(swept, change)
             if residual <= target or budget.is_spent:
-                break
-            if residual < best[0]:
-                best = (residual, state, change)
-            elif not residual < DIVERGENCE * best[0] and memory and best[1].size:
+                return swept, residual
+            if residual < best.residual:
+                best = _Best(residual, fields)
+            elif not residual < DIVERGENCE * best.residual and memory > 0:
+                mixing = max(0.5 * mixing, SMALLEST_MIXING)
                 accelerator = Anderson(max(accelerator.memory // 2, SHORTEST_MEMORY), state.size)
-                best = (best[0] * DIVERGENCE**0.5, *best[1:])
-                state, change = best[1:]
-        following = accelerator.next(state, change)
+                fields = best.fields
+                continue
+        following = accelerator.next(state, mixing * change)
         fields = unpack(_guarded(state, following, layout, swept), layout, swept)
-    return swept, residual
+
+
+class _Best(NamedTuple):
+    """The fields before the best sweep so far."""
+
+    residual: float
+    fields: Fields
 
 
 def _guarded(state: FloatArray, following: FloatArray, layout: Layout, fields: Fields) -> FloatArray:

@@ -15,13 +15,13 @@ from softlub.lubrication.solvers.modules.outcome import outcome
 from softlub.lubrication.solvers.modules.residuals import true_residuals
 from softlub.lubrication.solvers.modules.starts import Begin, from_solution
 
-LARGEST_RATIO = 4.0
+LARGEST_RATIO = 2.0
 """Largest ratio of two speeds on the way from a start."""
-SMALLEST_RATIO = 1.05
+SMALLEST_RATIO = 1.1
 """Ratio of speeds below which the way is given up and the goal is tried at once."""
 WAY_TOLERANCE = 1e-2
 """True residual that is good enough for a speed on the way."""
-WAY_SWEEPS = 1000
+WAY_SWEEPS = 500
 """Sweeps that a speed on the way may take."""
 
 
@@ -86,7 +86,7 @@ def solve_point(module: Module, problem: Problem, start: LubricatedContact | Non
         begin = module.begin(contact, budget)
     else:
         # Speeds compare by ηv: a start may have another viscosity, and its own is not known here.
-        begin = Begin(contact.speed_number * start.speed / problem.speed, from_solution(contact, start))
+        begin = Begin(contact.speed_number * start.speed / problem.speed, from_solution(contact, start), True)
     fields = follow(module, contact, begin, budget)
     fields = module.settle(contact, fields, module.tolerance, budget)
     residual = true_residuals(contact, fields).largest
@@ -96,9 +96,9 @@ def solve_point(module: Module, problem: Problem, start: LubricatedContact | Non
 def follow(module: Module, contact: EvenContact, begin: Begin, budget: Budget) -> Fields:
     """Fields to settle the goal from, by way of speeds between that are settled loosely; a failing step is halved."""
     goal, ratio = contact.speed_number, LARGEST_RATIO
-    place, fields = begin
-    while not 1 / ratio <= goal / place <= ratio and not budget.is_spent:
-        target = place * ratio if goal > place else place / ratio
+    place, fields, is_settled = begin
+    while place != goal and not (is_settled and 1 / ratio <= goal / place <= ratio) and not budget.is_spent:
+        target = _next_place(place, goal, ratio) if is_settled else place
         between = contact.at(contact.problem.speed * target / goal)
         share = Budget(
             min(WAY_SWEEPS, budget.max_sweeps - budget.sweeps), budget.seconds - budget.used_seconds
@@ -106,12 +106,18 @@ def follow(module: Module, contact: EvenContact, begin: Begin, budget: Budget) -
         tried = module.settle(between, fields, WAY_TOLERANCE, share)
         budget.sweeps += share.sweeps
         if true_residuals(between, tried).largest <= WAY_TOLERANCE:
-            place, fields = target, tried
+            place, fields, is_settled = target, tried, True
             continue
+        if not is_settled:
+            break
         ratio **= 0.5
         if ratio < SMALLEST_RATIO:
             break
     return fields
+
+
+def _next_place(place: float, goal: float, ratio: float) -> float:
+    return place * ratio if goal > place else place / ratio
 
 
 def march_upward(module: Module, problem: Problem, speeds: Sequence[float]) -> list[LubricatedContact]:

@@ -63,14 +63,10 @@ FILM_SCHEDULE = {
 }
 """λ -> factors; constant outside. The source uses 0.6 to 0.8 in the full film, where λ > 1; thinner films need less."""
 
-SOFT_ROUGHNESS = 0.1
-"""h_rms R/a² (that of table 3-1) below which α_u falls in proportion: asperities gain stiffness as 1/h_rms."""
 
-
-def boundary_factors(speed_number: float, roughness: float) -> BoundaryFactors:
-    """Factors of the boundary-mixed module at λ and h_rms R/a²."""
-    fluid, gap, solid = _interpolate(BOUNDARY_SCHEDULE, speed_number)
-    return BoundaryFactors(fluid, gap * min(1.0, roughness / SOFT_ROUGHNESS), solid)
+def boundary_factors(speed_number: float) -> BoundaryFactors:
+    """Factors of the boundary-mixed module at λ."""
+    return BoundaryFactors(*_interpolate(BOUNDARY_SCHEDULE, speed_number))
 
 
 def film_factors(speed_number: float) -> FilmFactors:

@@ -92,6 +92,8 @@ class Begin(NamedTuple):
 
     speed_number: float
     fields: Fields
+    is_settled: bool = False
+    """Whether the fields are (nearly) a solution at that speed."""
 
 
 def slow_start(contact: EvenContact) -> Begin:
