@@ -13,7 +13,7 @@ from softlub.study.drawings import DRAWINGS as KNOWN_DRAWINGS
 
 ROOT = Path(__file__).parents[2]
 SHIPPED = sorted((ROOT / "config" / "studies").glob("*.yaml"))
-DELETE = object()
+DELETE = "<left out>"
 
 
 @pytest.fixture
