@@ -6,11 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.bml import BML
 from softlub.lubrication.solvers.finite_volume.scaled import LOAD
-from softlub.lubrication.solvers.modules.contact import EvenContact, Fields, even_contact
+from softlub.lubrication.solvers.modules.contact import LARGEST_PRESSURE, EvenContact, Fields, even_contact
 from softlub.lubrication.solvers.modules.fredholm import MEMORY as FREDHOLM_MEMORY
 from softlub.lubrication.solvers.modules.fredholm import fredholm_gap
 from softlub.lubrication.solvers.modules.iteration import Budget, iterate
@@ -158,8 +160,10 @@ class MEHL:
         return relax
 
     def _reynolds(self, contact: EvenContact, fields: Fields) -> FloatArray:
-        """RES: P_f after one sweep."""
+        """RES: P_f after one sweep, cut like the Reynolds equation's own solution."""
         nodes, speed_number = contact.nodes, contact.speed_number
         if self.reynolds_sweep == "gauss_seidel":
-            return gauss_seidel_sweep(nodes, fields.gap, fields.fluid, speed_number)
-        return newton_raphson_sweep(nodes, fields.gap, fields.fluid, speed_number, contact.kernel)
+            swept = gauss_seidel_sweep(nodes, fields.gap, fields.fluid, speed_number)
+        else:
+            swept = newton_raphson_sweep(nodes, fields.gap, fields.fluid, speed_number, contact.kernel)
+        return np.minimum(swept, LARGEST_PRESSURE)

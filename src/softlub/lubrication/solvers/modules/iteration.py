@@ -111,14 +111,16 @@ def iterate(
     Returns
     -------
     fields : Fields
-        As the last sweep left them.
+        As the last sweep left them; the start where the budget was spent before.
     residual : float
-        Their measure.
+        Their measure; infinite where no sweep was made.
     """
     fields = start
     accelerator = Anderson(memory, pack(start, layout).size)
     best = _Best(float("inf"), start)
     mixing = 1.0
+    if budget.is_spent:
+        return start, float("inf")
     while True:
         swept = sweep(fields)
         budget.sweeps += 1
