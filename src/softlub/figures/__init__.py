@@ -38,6 +38,25 @@ DRAWINGS: dict[str, Drawing] = {
         "regime_map": "Share of the load on asperities over the two numbers that scale the contact in Hertz "
         "units; lines show where the smallest separation is once and three times the rms roughness.",
         "sensitivity": "Share of the variance that each input explains by itself (first-order index), over speed.",
+        "profile_stages": "A line as measured, without its form, and without its waviness; red lines are what is "
+        "taken off next.",
+        "topography_map": "A rough surface (a) and the distribution of its heights beside Gauss's curve (b).",
+        "self_affine_spectrum": "Power spectrum of a self-affine surface with its roll-off and cut-offs.",
+        "surface_spectra": "Radial autocorrelation (a); radial spectrum C(q) and spectrum of lines C1D+(q) (b), beside "
+        "what follows from C(q) by the right factor and by the printed one.",
+        "wavevector_spacing": "Spectra asked for and obtained by linear and by exponential wavevectors (a); the "
+        "surface made of linear ones (b).",
+        "persson_separation": "Pressure over mean separation: Persson's full integral, its exponential tail and the "
+        "numerical contact.",
+        "deflection": "Deflection under Hertz's pressure along the central line by each method, with its CPU time (a), "
+        "and the error against the closed form (b).",
+        "contact_lines": "Contact pressure (a) and gap (b) along the central line at rising loads.",
+        "solver_comparison": "Mean separation (a) and area (b) over the load by several solvers, and the area that a "
+        "threshold of the gap would count.",
+        "area_and_separation": "Real contact area up to a fifth of the nominal one (a), its ratio κ to the load (b), "
+        "and mean separation to full contact (c). The load of (a) and (b) is normalised by the spectral rms slope, "
+        "that of (c) by the modulus alone.",
+        "spectra_and_heights": "Radial spectra over the asked ones (a) and height distributions beside Gauss's (b).",
         "work_precision": "Error against CPU time.",
     }.items()
 }

@@ -66,7 +66,12 @@ class Quantity:
     @property
     def shown_unit(self) -> str:
         """Unit with its prefix, as the axis shows it; a dash for pure numbers."""
-        return "–" if self.unit == "1" else PREFIXES[self.exponent] + self.unit
+        if self.unit == "1":
+            return "–"
+        if self.unit.startswith("1/"):
+            return f"1/{PREFIXES[-self.exponent]}{self.unit[2:]}"
+        # The prefix of an area counts twice: 1e-12 m² are 1 µm².
+        return PREFIXES[self.exponent // 2 if self.unit.endswith("²") else self.exponent] + self.unit
 
     @property
     def axis_label(self) -> str:

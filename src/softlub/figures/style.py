@@ -92,6 +92,11 @@ def power(value: float) -> str:
     return rf"${factor}10^{{{int(exponent)}}}$"
 
 
+def signed(value: float) -> str:
+    """A small number with its sign, as print shows it: +0.12, −0.03."""
+    return f"{value:+.2f}".replace("-", "−")
+
+
 def solver_of(label: str) -> str:
     """First word of a solver's label: the solver's name without its options."""
     return label.replace(",", " ").replace("(", " ").split()[0]
