@@ -168,6 +168,19 @@ def test_default_domain_reaches_four_hertz_widths() -> None:
     assert contact.positions[-1] == pytest.approx(4 * ROUGH.hertz.half_width)
 
 
+@pytest.mark.parametrize("name", RANGES)
+def test_a_hopeless_scene_is_flagged_and_raises_nothing(name: str) -> None:
+    """A load under which the asperities of a 50 nm roughness are flat: the gap is far below what the grid carries."""
+    module, _, _ = RANGES[name]
+    law = PerssonLaw(SelfAffine(rms_roughness=5e-8, hurst=0.8, rolloff=1e4, cutoff=7.8e9), 0.05 * MODULUS)
+    body = HalfSpaceCylinder(radius=0.01, modulus=0.05 * MODULUS)
+    problem = replace(ROUGH, body=body, law=law, load=1e4, speed=1e-3, rms_roughness=5e-8, half_domain=None)
+    contact = replace(module, nodes=65, max_sweeps=300).solve(problem)
+    assert not contact.converged
+    assert contact.residual > module.tolerance
+    assert contact.iterations <= 300
+
+
 def test_refuses_what_the_modules_cannot_treat() -> None:
     with pytest.raises(ValueError, match="smooth"):
         BML(NODES).solve(SMOOTH)

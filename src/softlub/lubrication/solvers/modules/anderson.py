@@ -59,7 +59,11 @@ class Anderson:
         products = self._products[:kept, :kept]
         scaling = 1 / np.sqrt(np.maximum(np.diagonal(products), np.finfo(float).tiny))
         matrix = products * scaling[:, None] * scaling + REGULARISATION * np.eye(kept)
-        share = scaling * np.linalg.solve(matrix, scaling * (changes @ change))
+        try:
+            share = scaling * np.linalg.solve(matrix, scaling * (changes @ change))
+        except np.linalg.LinAlgError:
+            # Iterates that overflowed: the plain step is as good as any.
+            return state + change
         return state + change - share @ self._states[:kept] - share @ changes
 
     def _remember(self, state_difference: FloatArray, change_difference: FloatArray) -> None:

@@ -82,15 +82,19 @@ def solve_point(module: Module, problem: Problem, start: LubricatedContact | Non
     """
     contact = module.contact(problem)
     budget = Budget(module.max_sweeps, module.seconds)
-    if start is None:
-        begin = module.begin(contact, budget)
-    else:
-        # Speeds compare by ηv: a start may have another viscosity, and its own is not known here.
-        begin = Begin(contact.speed_number * start.speed / problem.speed, from_solution(contact, start), True)
-    fields = follow(module, contact, begin, budget)
-    fields = module.settle(contact, fields, module.tolerance, budget)
-    residual = true_residuals(contact, fields).largest
-    return outcome(contact, fields, residual, module.tolerance, budget, module.name)
+    # A diverging iterate may overflow; its residual then is infinite, and that is what flags it.
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):
+        if start is None:
+            begin = module.begin(contact, budget)
+        else:
+            # The start's viscosity is not known here; taken for the problem's own, it only sets the steps.
+            begin = Begin(
+                contact.speed_number * start.speed / problem.speed, from_solution(contact, start), True
+            )
+        fields = follow(module, contact, begin, budget)
+        fields = module.settle(contact, fields, module.tolerance, budget)
+        residual = true_residuals(contact, fields).largest
+        return outcome(contact, fields, residual, module.tolerance, budget, module.name)
 
 
 def follow(module: Module, contact: EvenContact, begin: Begin, budget: Budget) -> Fields:
