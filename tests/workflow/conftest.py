@@ -74,7 +74,10 @@ class Workspace:
     @property
     def environment(self) -> dict[str, str]:
         """This process's environment, with caches inside the folder."""
-        return os.environ | {"XDG_CACHE_HOME": str(self.folder / "cache"), "MPLCONFIGDIR": str(self.folder / "mpl")}
+        return os.environ | {
+            "XDG_CACHE_HOME": str(self.folder / "cache"),
+            "MPLCONFIGDIR": str(self.folder / "mpl"),
+        }
 
     def made(self, pattern: str) -> list[Path]:
         """Files under results/, by glob."""

@@ -39,8 +39,11 @@ def test_lock_is_held_by_the_kernel_and_dropped_with_the_process(tmp_path):
     from conftest import ROOT
 
     script = [sys.executable, str(ROOT / "workflow" / "scripts" / "run_locked.py"), str(tmp_path / "lock")]
-    holder = subprocess.Popen([*script, sys.executable, "-c", "import time; print('held', flush=True); time.sleep(60)"],
-                              stdout=subprocess.PIPE, text=True)
+    holder = subprocess.Popen(
+        [*script, sys.executable, "-c", "import time; print('held', flush=True); time.sleep(60)"],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
     assert holder.stdout.readline().strip() == "held"
     refused = subprocess.run([*script, "true"], capture_output=True, text=True)
     assert refused.returncode != 0

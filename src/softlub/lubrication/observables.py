@@ -14,8 +14,8 @@ WIDTH_LEVEL = 1e-3
 PERCOLATION_AREA = 0.4
 """Real contact above this part of the nominal area closes the last channel of the film."""
 PARABOLA_LIMIT = 0.9
-"""Pressurised half-width over radius above which a point lies outside the half-space: there the parabola misses the circle
-by a quarter, and no body is left to be a half-space."""
+"""Pressurised half-width over radius above which a point lies outside the half-space: the parabola misses the circle
+there by a quarter, and no body is left to be a half-space."""
 
 
 def observe(contact: LubricatedContact, problem: Problem) -> dict[str, float]:
