@@ -17,8 +17,7 @@ PROBLEM = Problem(
     half_domain=1e-3,
 )
 
-for name in SOLVERS:
-    solver = make_solver(name)
+for solver in (*map(make_solver, SOLVERS), make_solver("mehl", reynolds_sweep="newton_raphson")):
     for one in (solver, finer(solver)):
         if one is not None:
             one.sweep(PROBLEM, [0.1])
