@@ -1,8 +1,10 @@
 """The free set: the stencil, the weights and the sums that an iteration needs, in one pass over the grid.
 
-A point is free where p > c g, with g the gap less the contact level and a small c, `RELEASE`: where it carries
-pressure and is not about to leave the contact, or where the gap is negative. Everything is
-dimensionless as said in `kernels`.
+A point is free where t > c g: t is its pressure in the last trial, the gap g is taken above the contact level, and
+c is small. So it carries pressure and is not about to leave the contact, or it overlaps. The trial's pressure and
+not the present one, since a step of less than full length leaves some pressure on every point that the trial
+clipped. Kept in the free set, such points bend the preconditioned direction of their neighbours uphill, and only
+ever shrink. Everything is dimensionless as said in `kernels`.
 """
 
 # mypy: disable-error-code="no-untyped-def"
@@ -15,20 +17,33 @@ from softlub.contact.solver.blocks import collect
 from softlub.contact.solver.compiled import compiled
 
 RELEASE = np.float32(0.05)
-"""Pressure per gap below which a point that carries pressure over an open gap is taken as leaving the contact.
-
-Kept in the free set, such points bend the preconditioned direction of their neighbours uphill, and being shrunk by
-every step of less than full length they never leave. The least value; it is raised where that happens all the same.
-"""
+"""Least c of the free set; it is raised where the direction leads uphill all the same."""
 
 
 @compiled
-def weigh(pressure, gap, level, release, taps, wrap, block, weight, preconditioned, gap_sums, weight_sums):
+def weigh(
+    pressure,
+    gap,
+    move,
+    rest,
+    level,
+    release,
+    taps,
+    wrap,
+    block,
+    weight,
+    preconditioned,
+    gap_sums,
+    weight_sums,
+):
     """Apply the stencil to the free set and to its gap; sum up what the step needs.
 
     Parameters
     ----------
-    pressure, gap : ndarray, shape (nx, ny)
+    pressure, gap, move : ndarray, shape (nx, ny)
+        `move` is the step to the last trial.
+    rest : float
+        Share of that step that was not taken.
     level : float
         Contact level, in the arrays' precision.
     release : float
@@ -70,7 +85,16 @@ def weigh(pressure, gap, level, release, taps, wrap, block, weight, precondition
         inside = one if (0 <= i + 2 < nx) | (wrap > zero) else zero
         slot = (i + 4) % 5
         row_count, row_square = _enter(
-            pressure[target], gap[target], level, release, inside, wrap, free_rows[slot], gap_rows[slot]
+            pressure[target],
+            gap[target],
+            move[target],
+            rest,
+            level,
+            release,
+            inside,
+            wrap,
+            free_rows[slot],
+            gap_rows[slot],
         )
         if 0 <= i + 2 < nx:
             count += row_count
@@ -100,7 +124,7 @@ def weigh(pressure, gap, level, release, taps, wrap, block, weight, precondition
 
 
 @compiled
-def _enter(pressure, gap, level, release, inside, wrap, free_row, gap_row):
+def _enter(pressure, gap, move, rest, level, release, inside, wrap, free_row, gap_row):
     """Lay a grid row and its halo out for the stencil; return its free points and squared violations."""
     zero = level * 0
     one = zero + 1
@@ -108,7 +132,7 @@ def _enter(pressure, gap, level, release, inside, wrap, free_row, gap_row):
     square = zero
     for j in range(pressure.size):
         deviation = gap[j] - level
-        free = one if pressure[j] > release * deviation else zero
+        free = one if pressure[j] + rest * move[j] > release * deviation else zero
         violation = deviation if pressure[j] > RELEASE * deviation else pressure[j] * (one / RELEASE)
         count += free
         square += violation * violation

@@ -107,6 +107,7 @@ class FreeSetGradients:
         """
         self.level = float(self.gap.mean(dtype=float, where=self.pressure > 0))
         self._compliance.source[:] = 0  # it holds the direction between iterations
+        self._rest = 0.0
         self._steepest()
         best, since, restarts = np.inf, 0, 0
         while True:
@@ -136,6 +137,8 @@ class FreeSetGradients:
         count, square, product, product_last = free_set.weigh(
             self.pressure,
             self.gap,
+            self._compliance.source,
+            self._number(self._rest),
             self._number(self.level),
             self._number(self._release),
             self._taps,
@@ -169,6 +172,7 @@ class FreeSetGradients:
             self.pressure, self.gap, self._compliance.source, self._compliance.result, self._number(factor)
         )
         self.level = gaps / carrying
+        self._rest = 1 - factor
 
     def _project(self, coarse: NDArray[Any], momentum: float, shift: float) -> tuple[float, float]:
         """Write the step to the projected trial into the compliance's source; return its slope and clipped share."""
@@ -177,6 +181,7 @@ class FreeSetGradients:
             self.pressure,
             self.gap,
             self._weight,
+            number(self._rest),
             number(self.level),
             number(self._release),
             coarse,

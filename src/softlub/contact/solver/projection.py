@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from softlub.contact.solver import steps
@@ -34,3 +35,5 @@ def project_onto_load(values: NDArray[Any], load: float, out: NDArray[Any]) -> N
         shift -= excess / count
     if total > 0:
         out *= number(load / total)
+    else:  # a load too light for the precision of the values: it rests on the highest point
+        out.flat[np.argmax(values)] = load

@@ -11,7 +11,9 @@ from softlub.contact.solver.compiled import compiled
 
 
 @compiled
-def search(pressure, gap, weight, level, release, coarse, block, preconditioned, direction, momentum, step):
+def search(
+    pressure, gap, weight, rest, level, release, coarse, block, preconditioned, direction, momentum, step
+):
     """Complete z, set direction to -z + momentum · direction, and sum up the trial max(0, p + step · direction).
 
     A point that is not free but still carries pressure gives it up: its trial is 0.
@@ -19,13 +21,15 @@ def search(pressure, gap, weight, level, release, coarse, block, preconditioned,
     Parameters
     ----------
     pressure, gap, weight : ndarray, shape (nx, ny)
-    level, release : float
+    rest, level, release : float
+        As in `free_set.weigh`.
     coarse : ndarray
         What is added to S g on every block, over φ.
     block : int
     preconditioned : ndarray, shape (nx, ny)
         S g on the free set; replaced by z.
     direction : ndarray, shape (nx, ny)
+        The step to the last trial.
     momentum, step : float
 
     Returns
@@ -47,7 +51,8 @@ def search(pressure, gap, weight, level, release, coarse, block, preconditioned,
         row_weight = zero
         row_clipped = zero
         for j in range(ny):
-            free = one if pressure[i, j] > release * (gap[i, j] - level) else zero
+            last = pressure[i, j] + rest * direction[i, j]
+            free = one if last > release * (gap[i, j] - level) else zero
             value = preconditioned[i, j] + weight[i, j] * correction[j]
             preconditioned[i, j] = value
             towards = free * (momentum * direction[i, j] - value) - (one - free) * pressure[i, j] / step
