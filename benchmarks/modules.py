@@ -1,0 +1,149 @@
+"""The source's three modules against Newton's method on the same nodes: sweeps, CPU time, errors, failures.
+
+On the source's domain (±1 mm), each module over its speeds and somewhat beyond, once accelerated (Anderson's method, the
+default) and once with the plain relaxation of the source. Newton's method of the finite volumes solves the same discrete
+equations on the same nodes; for the full-film module, which knows no asperities, without the law.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import xarray as xr
+from measuring import cpu_seconds
+from reference_contact import SOURCE_HALF_DOMAIN, smallest_separation, table_3_1, total_friction
+
+from softlub.contact.laws.none import NoContact
+from softlub.figures import style
+from softlub.figures.panel import DataFigure, Panel, new_figure, share_legend, styled
+from softlub.figures.quantities import quantity
+from softlub.lubrication.problem import Problem
+from softlub.lubrication.solvers.bml import BML
+from softlub.lubrication.solvers.ehl import EHL
+from softlub.lubrication.solvers.finite_volume import FiniteVolume
+from softlub.lubrication.solvers.mehl import MEHL
+
+NODES = (257, 1025)
+SPEEDS = (1e-5, 1e-4, 1.5e-3, 5e-3, 0.03, 0.12, 0.5, 1.0, 3.0)
+PLAIN_SECONDS = 10.0
+"""CPU time after which a point with plain relaxation is given up [s]."""
+MODULES = {
+    "BML": (BML(), 0.0, 0.03),
+    "MEHL, Gauss–Seidel": (MEHL("gauss_seidel"), 1e-4, 1.0),
+    "MEHL, Newton–Raphson": (MEHL("newton_raphson"), 1e-4, 1.0),
+    "EHL": (EHL(), 0.03, 10.0),
+}
+"""Module and the speeds between which it is tried: its own range, and beyond it until it fails."""
+VARIANTS = ("accelerated", "plain relaxation")
+MEASURED = ("converged", "sweeps", "residual", "cpu_time", "error_friction", "error_separation")
+
+
+def measure() -> xr.Dataset:
+    """Every module at every speed of its range; NaN where it was not tried."""
+    table = np.full((len(MEASURED), len(MODULES) + 1, len(VARIANTS), len(NODES), len(SPEEDS)), np.nan)
+    for column, nodes in enumerate(NODES):
+        for row, speed in enumerate(SPEEDS):
+            table[:, :, :, column, row] = _point(nodes, speed)
+    over = ("module", "variant", "nodes", "speed")
+    dataset = xr.Dataset(
+        {name: (over, values) for name, values in zip(MEASURED, table, strict=True)},
+        coords={
+            "module": [*MODULES, "Newton"],
+            "variant": list(VARIANTS),
+            "nodes": list(NODES),
+            "speed": list(SPEEDS),
+        },
+        attrs={
+            "title": "The source's modules against Newton's method on the same nodes",
+            "timed": "one point from cold, its way through lower speeds included; tolerance 1e-4 of the true residual; "
+            f"given up after 20,000 sweeps, 30 s, or {PLAIN_SECONDS:g} s with plain relaxation",
+        },
+    )
+    tried = dataset.sel({"module": list(MODULES)})
+    for variant in VARIANTS:
+        of_variant = tried["converged"].sel({"variant": variant}).values
+        dataset.attrs[f"converged_{variant.split()[0]}"] = (
+            f"{int(np.nansum(of_variant))} of {int(np.isfinite(of_variant).sum())}"
+        )
+    converged = tried["converged"].values == 1
+    dataset.attrs["largest_error_friction_converged"] = float(
+        np.nanmax(np.abs(tried["error_friction"].values[converged]))
+    )
+    return dataset
+
+
+def _point(nodes: int, speed: float) -> np.ndarray:
+    """All modules, and Newton's method last, at one speed; shape (measured, modules + 1, variants)."""
+    problem = table_3_1(SOURCE_HALF_DOMAIN).at(speed=speed)
+    newton = FiniteVolume(nodes=nodes, grid="even")
+    result = np.full((len(MEASURED), len(MODULES) + 1, len(VARIANTS)), np.nan)
+    exact = newton.solve(problem)
+    seconds = cpu_seconds(lambda: newton.solve(problem), 1, warm_up=False)
+    result[:, -1, 0] = exact.converged, exact.iterations, exact.residual, seconds, 0.0, 0.0
+    for row, (module, lowest, highest) in enumerate(MODULES.values()):
+        if not lowest <= speed <= highest:
+            continue
+        own = replace(problem, law=NoContact()) if isinstance(module, EHL) else problem
+        target = newton.solve(own) if isinstance(module, EHL) else exact
+        plain = replace(module, nodes=nodes, memory=0, seconds=PLAIN_SECONDS)
+        for column, variant in enumerate((replace(module, nodes=nodes), plain)):
+            result[:, row, column] = _compared(variant, own, target)
+    return result
+
+
+def _compared(module: BML | MEHL | EHL, problem: Problem, target) -> tuple[float, ...]:
+    contact = module.solve(problem)
+    # The last iterate of a point that failed is compared too: the error shows how far from the solution it stopped.
+    shown = replace(contact, converged=True)
+    return (
+        float(contact.converged),
+        contact.iterations,
+        contact.residual,
+        contact.seconds,
+        total_friction(shown, problem) - total_friction(target, problem),
+        smallest_separation(shown) / smallest_separation(target) - 1,
+    )
+
+
+def draw(dataset: xr.Dataset) -> DataFigure:
+    """Sweeps, CPU time and error of μ over speed on the finest grid; crosses where a module failed."""
+    finest = dataset.isel(nodes=-1)
+    shown = (
+        ("sweeps", quantity("sweeps", label="sweeps (Newton: steps)", unit="1")),
+        ("cpu_time", quantity("cpu_time", label="CPU time", unit="s")),
+        ("error_friction", quantity("error_friction", label="error of μ", unit="1")),
+    )
+    with styled():
+        figure = new_figure(style.PAGE, 3.4)
+        panels = []
+        for axes, (name, axis), letter in zip(figure.subplots(1, 3), shown, "abc", strict=True):
+            panel = Panel(axes, quantity("speed"), axis, letter)
+            panel.letter(letter)
+            panel.axes.set(xscale="log", yscale="log")
+            for index, module in enumerate(finest["module"].values):
+                if module == "Newton" and name == "error_friction":
+                    continue
+                _lines(panel, finest.sel({"module": module}), name, index)
+            panels.append(panel)
+        share_legend(figure, panels, 3)
+        return figure
+
+
+def _lines(panel: Panel, of_module: xr.Dataset, name: str, index: int) -> None:
+    """Both variants of a module: a full line, and a dotted one with open marks."""
+    speeds = of_module["speed"].values
+    for variant, look in zip(VARIANTS, ({}, {"linestyle": ":", "markerfacecolor": "none"}), strict=True):
+        chosen = of_module.sel({"variant": variant})
+        tried = np.isfinite(chosen["converged"].values)
+        if not tried.any():
+            continue
+        good = chosen["converged"].values == 1
+        label = str(of_module["module"].values) + ("" if variant == VARIANTS[0] else ", plain")
+        panel.line(
+            label,
+            speeds[tried],
+            np.where(good, np.abs(chosen[name].values), np.nan)[tried],
+            color=style.CYCLE[index],
+            marker=style.MARKERS[index],
+            **look,
+        )
+        panel.mark_failed(speeds[tried & ~good], style.CYCLE[index], index if variant == VARIANTS[1] else 0)
