@@ -99,7 +99,11 @@ def draw(dataset: xr.Dataset) -> DataFigure:
         figure = new_figure(style.PAGE, 3.0)
         panels = []
         for axes, name, symbol, letter in zip(
-            figure.subplots(1, 2), ("friction", "separation"), ("μ", "u_min (relative)"), "ab", strict=True
+            figure.subplots(1, 2),
+            ("friction", "separation"),
+            ("μ", r"$u_\mathrm{min}$ (relative)"),
+            "ab",
+            strict=True,
         ):
             panel = Panel(
                 axes,

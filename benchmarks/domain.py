@@ -45,7 +45,7 @@ def draw(dataset: xr.Dataset) -> DataFigure:
         for axes, name, letter in zip(
             figure.subplots(1, 2), ("friction_coefficient", "separation_min"), "ab", strict=True
         ):
-            label = "μ" if letter == "a" else "u_min"
+            label = "μ" if letter == "a" else r"$u_\mathrm{min}$"
             panel = Panel(
                 axes,
                 quantity("half_widths", label="half-domain over Hertz half-width", unit="1"),

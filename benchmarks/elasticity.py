@@ -4,6 +4,8 @@ On the source's domain with even nodes, at three speeds from boundary to full fi
 method takes first from the solution at a speed lower by a tenth.
 """
 
+from functools import partial
+
 import numpy as np
 import xarray as xr
 from measuring import cpu_seconds
@@ -32,7 +34,10 @@ def measure() -> xr.Dataset:
             table[:, :, row, column] = _step(nodes, speed)
     over = ("method", "speed", "nodes")
     dataset = xr.Dataset(
-        {name: (over, values) for name, values in zip(("cpu_time", "difference", "products"), table, strict=True)},
+        {
+            name: (over, values)
+            for name, values in zip(("cpu_time", "difference", "products"), table, strict=True)
+        },
         coords={"method": list(METHODS), "speed": list(SPEEDS), "nodes": list(NODES)},
         attrs={
             "title": "One Newton step, dense or by transforms",
@@ -40,7 +45,10 @@ def measure() -> xr.Dataset:
         },
     )
     dataset["cpu_time"].attrs = {"units": "s", "long_name": "CPU time of one Newton step"}
-    dataset["difference"].attrs = {"units": "1", "long_name": "difference to the dense step over its largest entry"}
+    dataset["difference"].attrs = {
+        "units": "1",
+        "long_name": "difference to the dense step over its largest entry",
+    }
     dataset["products"].attrs = {"units": "1", "long_name": "products with the Jacobian"}
     return dataset
 
@@ -51,8 +59,9 @@ def _step(nodes: int, speed: float) -> np.ndarray:
     exact = dense(level.contact, equations)[0]
     counting = CountingSpace(level.contact.space)
     found = Transforms(counting)(level.contact, equations)[0]
+    repeats = 3 if nodes < 2000 else 2
     times = [
-        cpu_seconds(lambda: solver(level.contact, equations), 3 if nodes < 2000 else 2, warm_up=False)
+        cpu_seconds(partial(solver, level.contact, equations), repeats, warm_up=False)
         for solver in (dense, transforms)
     ]
     difference = float(np.max(np.abs(found - exact)) / np.max(np.abs(exact)))

@@ -36,8 +36,11 @@ def table_3_1(half_domain: float | None = None) -> Problem:
 
 def total_friction(contact: LubricatedContact, problem: Problem, strength: float = SHEAR_STRENGTH) -> float:
     """μ, fluid and solid part together; NaN for a point that did not converge."""
-    if not contact.converged:
-        return float("nan")
+    return friction_of(contact, problem, strength) if contact.converged else float("nan")
+
+
+def friction_of(contact: LubricatedContact, problem: Problem, strength: float = SHEAR_STRENGTH) -> float:
+    """μ of whatever the solver returned, converged or not."""
     parts = friction(contact, problem.law, problem.lubricant.viscosity)
     return parts.fluid + strength * parts.real_contact_width / problem.load
 

@@ -1,7 +1,7 @@
 """What the modules' relaxation factors do: sweeps to convergence, with the source's plain relaxation and accelerated.
 
-Three questions that the source answers in words: which factors the inner loop of the full-film module bears; whether the
-boundary-mixed module converges better with α_f < α_u < α_s; how many sweeps the mixed module may need.
+Three questions that the source answers in words: which factors the inner loop of the full-film module bears; whether
+the boundary-mixed module converges better with α_f < α_u < α_s; how many sweeps the mixed module may need.
 """
 
 from collections.abc import Callable, Iterator
@@ -58,7 +58,7 @@ def measure() -> xr.Dataset:
         {name: ("trial", np.array([row[name] for row in rows])) for name in rows[0]},
         attrs={
             "title": "Relaxation factors of the source's modules",
-            "timed": f"one point from cold on {NODES} even nodes over 1 mm, given up after 20,000 sweeps or {SECONDS:g} s",
+            "timed": f"one point from cold on {NODES} even nodes over 1 mm, at most 20,000 sweeps or {SECONDS:g} s",
         },
     )
 
@@ -92,8 +92,8 @@ def draw(dataset: xr.Dataset) -> DataFigure:
         figure = new_figure(style.PAGE, 3.4)
         axes = figure.subplots(1, 3)
         panels = [
-            _over_factor(axes[0], dataset, "EHL", "α_l", "a"),
-            _over_factor(axes[1], dataset, "MEHL", "α_f", "b"),
+            _over_factor(axes[0], dataset, "EHL", r"$\alpha_l$", "a"),
+            _over_factor(axes[1], dataset, "MEHL", r"$\alpha_f$", "b"),
             _over_order(axes[2], dataset),
         ]
         share_legend(figure, panels, 3)
@@ -110,9 +110,10 @@ def _series(dataset: xr.Dataset, module: str) -> Iterator[tuple[int, str, xr.Dat
 
 
 def _draw(panel: Panel, dataset: xr.Dataset, module: str, place: Callable[[xr.Dataset], np.ndarray]) -> None:
+    panel.axes.set_ylim(10, 30_000)
     for index, name, trials in _series(dataset, module):
         good, plain = trials["converged"].values.astype(bool), "plain" in name
-        colour = style.CYCLE[(index + "EHL MEHL BML".split().index(module) * 3) % len(style.CYCLE)]
+        colour = style.CYCLE[(index + ["EHL", "MEHL", "BML"].index(module) * 3) % len(style.CYCLE)]
         panel.line(
             f"{module} at {name}",
             place(trials),
@@ -142,10 +143,13 @@ def _over_order(axes, dataset: xr.Dataset) -> Panel:
     own = dataset.isel(trial=dataset["module"].values == "BML")
     orders = list(dict.fromkeys(own["order"].values))
     _draw(
-        panel, dataset, "BML", lambda trials: np.array([orders.index(order) for order in trials["order"].values])
+        panel,
+        dataset,
+        "BML",
+        lambda trials: np.array([orders.index(order) for order in trials["order"].values]),
     )
     panel.axes.set_xticks(range(len(orders)), orders, rotation=90)
-    panel.axes.set_xlabel("order of α")
+    panel.axes.set_xlabel(r"order of $\alpha$")
     return panel
 
 

@@ -1,4 +1,4 @@
-"""From a fresh process to one Stribeck curve: imports, compiled code loaded from its cache, law, 40 speeds, friction."""
+"""From a fresh process to one Stribeck curve: imports, compiled code from its cache, law, 40 speeds, friction."""
 
 import subprocess
 import sys
@@ -63,7 +63,7 @@ def _children_cpu() -> float:
 
 
 def draw(dataset: xr.Dataset) -> DataFigure:
-    """Bars would hide the numbers' order: two marks a stage."""
+    """Two marks a stage."""
     with styled():
         figure = new_figure(style.COLUMN, 2.6)
         panel = Panel(
@@ -74,7 +74,12 @@ def draw(dataset: xr.Dataset) -> DataFigure:
         places = np.arange(dataset.sizes["stage"])
         for name, marker, colour in (("wall_time", "s", style.BLUE), ("cpu_time", "o", style.VERMILION)):
             panel.line(
-                dataset[name].attrs["long_name"], places, dataset[name].values, color=colour, marker=marker
+                dataset[name].attrs["long_name"],
+                places,
+                dataset[name].values,
+                color=colour,
+                marker=marker,
+                linestyle="none",
             )
         panel.axes.set_xticks(places, list(dataset["stage"].values), rotation=30, ha="right")
         panel.axes.set_xlabel("")

@@ -25,7 +25,9 @@ def measure(parts: Sequence[xr.Dataset]) -> xr.Dataset:
     flags = dataset["flags"].values
     failed = (flags & FLAGS["not_converged"]) > 0
     inaccurate = (flags & FLAGS["inaccurate"]) > 0
-    values = np.stack([dataset[name].values for name in ("friction_coefficient", "separation_min", "error_friction")])
+    values = np.stack(
+        [dataset[name].values for name in ("friction_coefficient", "separation_min", "error_friction")]
+    )
     nan = ~np.isfinite(values).all(axis=0)
     wrong = (dataset["true_error_friction"].values > FRICTION_ERROR_LIMIT) | (
         dataset["true_error_separation"].values > SEPARATION_ERROR_LIMIT
@@ -92,7 +94,7 @@ def draw(dataset: xr.Dataset) -> DataFigure:
         panels = [
             _panel(axis, dataset, name, symbol, letter)
             for axis, name, symbol, letter in zip(
-                axes, ("friction", "separation"), ("μ", "u_min (relative)"), "ab", strict=True
+                axes, ("friction", "separation"), ("μ", r"$u_\mathrm{min}$ (relative)"), "ab", strict=True
             )
         ]
         share_legend(figure, panels, 4)
@@ -126,6 +128,7 @@ def _panel(axes, dataset: xr.Dataset, name: str, symbol: str, letter: str) -> Pa
             linestyle="none",
             alpha=0.5,
         )
-    ends = np.array([SMALLEST_SHOWN, 1.0])
+    largest = max(np.max(true[known], initial=1e-6), np.max(estimated[known], initial=1e-6))
+    ends = np.array([SMALLEST_SHOWN, 3 * largest])
     panel.line("estimate = truth", ends, ends, color=style.GREY, linestyle="--", linewidth=0.8)
     return panel

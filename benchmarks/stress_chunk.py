@@ -1,8 +1,9 @@
 """A part of the stress test: random contacts by the default solver, from cold, along speeds, and from other solutions.
 
-Every family of ten points is two sorts of random contact: one at four random speeds in one sweep and at two more
-from a solution at another of its speeds; and four contacts at one speed each, from cold. One point in ten is solved again by
-spectral elements of order 16, which the estimated error is held against.
+A family is ten points: one random contact at four random speeds in one sweep, and at two more from a solution at one
+of those; and four random contacts at one speed each, from cold. One point in ten is solved again by spectral elements
+of order 16, which the estimated error is held against. (Spectral elements need no start and do not use the one they
+are given; so some points are solved by finite volumes from such a start, beside the ten.)
 """
 
 from collections.abc import Sequence
@@ -75,9 +76,7 @@ def _family(generator: np.random.Generator, checked: int) -> list[Row]:
     speeds = log_uniform(generator, STRESS_SPEEDS, CONTINUED + COLD + STARTED)
     checks = [position == checked for position in range(CONTINUED + COLD + STARTED)]
     along = Recording(Auto())
-    rows = _points(
-        "continued", swept, speeds[:CONTINUED], along, Auto().refined(), checks[:CONTINUED]
-    )
+    rows = _points("continued", swept, speeds[:CONTINUED], along, Auto().refined(), checks[:CONTINUED])
     for position, scene in enumerate(single, start=CONTINUED):
         chosen = slice(position, position + 1)
         rows += _points("cold", scene, speeds[chosen], Recording(Auto()), Auto().refined(), checks[chosen])
@@ -107,7 +106,9 @@ def _points(
     for index, speed in enumerate(speeds.tolist()):
         point = {name: values[index].item() for name, values in found.items()}
         row: Row = {"kind": kind, "solver": solver.contacts[index].solver, "speed": speed, **scene._asdict()}
-        row |= {name: point[name] for name in ("converged", "flags", "residual", "load_error", "solver_seconds")}
+        row |= {
+            name: point[name] for name in ("converged", "flags", "residual", "load_error", "solver_seconds")
+        }
         row["friction_coefficient"] = point[ESTIMATED[0]] + strength * point[ESTIMATED[2]]
         row["separation_min"] = point["separation_min"]
         row["error_friction"] = point[f"{ESTIMATED[0]}_error"] + strength * point[f"{ESTIMATED[2]}_error"]

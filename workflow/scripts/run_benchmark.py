@@ -1,4 +1,4 @@
-"""The adapter between Snakemake and the benchmarks: a module of benchmarks/ measures, its dataset is written and drawn."""
+"""The adapter between Snakemake and the benchmarks: a module of benchmarks/ measures, the rest is written here."""
 
 import os
 import sys
@@ -19,12 +19,12 @@ from softlub.datasets import store  # noqa: E402
 
 module = import_module(code.stem)
 arguments = dict(job.params.items())
-if "parts" in job.input.keys():
+if "parts" in dict(job.input.items()):
     arguments["parts"] = [store.read(path) for path in job.input.parts]
 dataset = module.measure(**arguments)
 store.write(dataset, job.output.dataset, machine())
 
-if "failures" in job.output.keys():
+if "failures" in dict(job.output.items()):
     module.write_failures(dataset, Path(job.output.failures))
 pictures = [path for path in job.output if Path(path).suffix in (".pdf", ".png", ".svg", ".csv")]
 if pictures:

@@ -48,7 +48,7 @@ def _panel(axes: Axes, dataset: xr.Dataset, error: str, letter: str) -> Panel:
     panel.axes.set_xscale("log")
     panel.axes.set_yscale("log")
     panel.letter(letter)
-    panel.axes.margins(0.1)
+    panel.axes.margins(0.17, 0.1)
     for index, method in enumerate(dataset["method"].values):
         row = dataset.isel({"method": index})
         time, value = row["cpu_time"].values, row[error].values
