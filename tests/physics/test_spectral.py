@@ -73,9 +73,9 @@ def test_accuracy_of_the_default_order(reference, default):
 
 
 def test_error_falls_geometrically_with_the_order(reference):
-    errors = np.array([np.max(np.abs(curve(order)[0] - reference[0])) for order in (5, 7, 9, 11, 13)])
+    errors = np.array([np.max(np.abs(curve(order)[0] - reference[0])) for order in (5, 7, 9, 11)])
     rates = errors[:-1] / errors[1:]
-    assert np.all(rates > 2)
+    assert np.all(rates > 5)
     assert errors[0] / errors[-1] > 1e4
 
 

@@ -8,63 +8,67 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from softlub.lubrication.solvers.spectral.basis import FloatArray
 
-# Forward recurrence multiplies errors by (t + √(t² - 1))^(2k) outside the element, so it stops here.
-FORWARD_LIMIT = 1.02
+# Up to t with (t + √(t² - 1))^(p + 1) = e^NEAR_GROWTH the forward recurrence loses at most the square of that.
+NEAR_GROWTH = 4.6
+# The downward recurrence starts so far above the last order that what it neglects is e^-38.
+DECAY = 19.0
+# Targets beyond it need few steps and are done apart from the nearer ones.
+FAR = 2.0
 
 
 @njit(cache=True)
-def log_moments(position: float, moments: FloatArray, functions: FloatArray) -> None:
-    """Fill `moments` with ∫ ln|t - τ| P_k(τ) dτ, k = 0 … p; `functions` is scratch of length p + 2."""
-    order = moments.size - 1
-    t = abs(position)
-    if t == 1.0:
+def near_moments(t: float, moments: FloatArray, functions: FloatArray) -> None:
+    """Fill `moments` with ∫ ln|t - τ| P_k(τ) dτ, k = 0 … p, for small │t│; `functions` is scratch, length p + 2."""
+    if abs(t) == 1.0:
         # The logarithm of Q_0 meets a zero factor in every difference that is used: it is left out.
         functions[0] = 0.0
         moments[0] = 2 * np.log(2.0) - 2.0
-        _forward(t, functions)
-    elif t <= FORWARD_LIMIT:
-        outer, near = np.log(1.0 + t), np.log(abs(1.0 - t))
-        functions[0] = 0.5 * (outer - near)
-        moments[0] = (1.0 + t) * outer + (1.0 - t) * near - 2.0
-        _forward(t, functions)
     else:
-        _decaying_functions(t, functions)
-        moments[0] = np.log(t * t - 1.0) + 2 * functions[1]
-    sign = 1.0 if position >= 0 else -1.0
-    for k in range(1, order + 1):
-        moments[k] = 2 * (functions[k + 1] - functions[k - 1]) / (2 * k + 1)
-        if k % 2 == 1:
-            moments[k] *= sign
-
-
-@njit(cache=True)
-def _forward(t: float, functions: FloatArray) -> None:
-    """Fill Q_1 … Q_{p+1} from Q_0 by the forward recurrence."""
+        outer, inner = np.log(abs(1.0 + t)), np.log(abs(1.0 - t))
+        functions[0] = 0.5 * (outer - inner)
+        moments[0] = (1.0 + t) * outer + (1.0 - t) * inner - 2.0
     functions[1] = t * functions[0] - 1.0
-    for k in range(1, functions.size - 1):
+    for k in range(1, moments.size):
         functions[k + 1] = ((2 * k + 1) * t * functions[k] - k * functions[k - 1]) / (k + 1)
+        moments[k] = 2 * (functions[k + 1] - functions[k - 1]) / (2 * k + 1)
 
 
-@njit(cache=True)
-def _decaying_functions(t: float, functions: FloatArray) -> None:
-    """Fill Q_0 … Q_{p+1} at t > 1 by Miller's downward recurrence."""
-    last = functions.size - 1
-    growth = np.log(t + np.sqrt(t * t - 1.0))
-    top = min(last, int(38.0 / growth) + 1)  # beyond it they are below round-off
-    for k in range(top + 1, last + 1):
-        functions[k] = 0.0
-    above, here = 0.0, 1e-280
-    for k in range(top + int(19.0 / growth) + 2, 0, -1):
-        if k <= top:
-            functions[k] = here
-        above, here = here, ((2 * k + 1) * t * here - (k + 1) * above) / k
-    scale = 0.5 * np.log1p(2.0 / (t - 1.0)) / here
-    functions[0] = here * scale
-    for k in range(1, top + 1):
-        functions[k] *= scale
+@njit(cache=True, fastmath={"contract"})
+def far_moments(
+    t: FloatArray, count: int, moments: FloatArray, ratio: FloatArray, functions: FloatArray
+) -> None:
+    """The same for the first `count` of many │t│ > 1 at once, `moments` of shape (p + 1, m).
+
+    Downward recurrence of the ratios Q_k/Q_{k-1}, which neither overflows nor loses digits; `ratio` (m) and
+    `functions` (p + 2, m) are scratch.
+    """
+    order = moments.shape[0] - 1
+    nearest = np.inf
+    for i in range(count):
+        nearest = min(nearest, abs(t[i]))
+        ratio[i] = 0.0
+    growth = np.log(nearest + np.sqrt(nearest * nearest - 1.0))
+    for k in range(order + 2 + int(DECAY / growth) + 1, 0, -1):
+        for i in range(count):
+            ratio[i] = k / ((2 * k + 1) * t[i] - (k + 1) * ratio[i])
+        if k <= order + 1:
+            for i in range(count):
+                functions[k, i] = ratio[i]
+    for i in range(count):
+        distance = abs(t[i])
+        first = np.log1p(2.0 / (distance - 1.0))
+        functions[0, i] = 0.5 * first if t[i] > 0 else -0.5 * first
+        functions[1, i] *= functions[0, i]
+        moments[0, i] = 2 * np.log(distance - 1.0) + first + 2 * functions[1, i]
+    for k in range(1, order + 1):
+        scale = 2.0 / (2 * k + 1)
+        for i in range(count):
+            functions[k + 1, i] *= functions[k, i]
+            moments[k, i] = scale * (functions[k + 1, i] - functions[k - 1, i])
 
 
 @njit(cache=True)
@@ -86,21 +90,51 @@ def log_kernel(targets: FloatArray, breaks: FloatArray, legendre_weights: FloatA
         Neighbouring elements share their common node.
     """
     order = legendre_weights.shape[0] - 1
-    elements = breaks.size - 1
-    kernel = np.zeros((targets.size, elements * order + 1))
-    moments = np.empty(order + 1)
-    functions = np.empty(order + 2)
-    for i in range(targets.size):
-        for e in range(elements):
-            half = 0.5 * (breaks[e + 1] - breaks[e])
-            local = (targets[i] - breaks[e]) / half - 1.0
-            if targets[i] == breaks[e + 1]:  # exactly: the logarithm is left out there
-                local = 1.0
-            log_moments(local, moments, functions)
-            moments[0] += 2 * np.log(half)
-            row = kernel[i, e * order : (e + 1) * order + 1]
-            for k in range(order + 1):
-                factor = half * moments[k]
-                for j in range(order + 1):
-                    row[j] += factor * legendre_weights[k, j]
+    root = np.exp(NEAR_GROWTH / (order + 1))
+    near = 0.5 * (root + 1.0 / root)
+    size = targets.size
+    kernel = np.zeros((size, (breaks.size - 1) * order + 1))
+    rows, local, ratio = np.empty(size, np.int64), np.empty(size), np.empty(size)
+    moments, functions = np.empty((order + 1, size)), np.empty((order + 2, size))
+    single, scratch = np.empty(order + 1), np.empty(order + 2)
+    for e in range(breaks.size - 1):
+        block = kernel[:, e * order : (e + 1) * order + 1]
+        half = 0.5 * (breaks[e + 1] - breaks[e])
+        for group in range(3):
+            count = 0
+            for i in range(size):
+                # Exactly 1 on the break, where the logarithm is left out.
+                t = 1.0 if targets[i] == breaks[e + 1] else (targets[i] - breaks[e]) / half - 1.0
+                if group == (0 if abs(t) <= near else (1 if abs(t) <= max(FAR, near) else 2)):
+                    rows[count], local[count] = i, t
+                    count += 1
+            if count == 0:
+                continue
+            if group == 0:
+                for i in range(count):
+                    near_moments(local[i], single, scratch)
+                    for k in range(order + 1):
+                        moments[k, i] = single[k]
+            else:
+                far_moments(local, count, moments, ratio, functions)
+            _add_rows(block, rows, count, moments, half, legendre_weights)
     return kernel
+
+
+@njit(cache=True, fastmath={"contract"})
+def _add_rows(
+    block: FloatArray,
+    rows: NDArray[np.int64],
+    count: int,
+    moments: FloatArray,
+    half: float,
+    legendre_weights: FloatArray,
+) -> None:
+    """Turn moments of Legendre polynomials into entries of the kernel."""
+    scale = 2 * np.log(half)
+    for i in range(count):
+        row = block[rows[i]]
+        for k in range(moments.shape[0]):
+            factor = half * (moments[k, i] + (scale if k == 0 else 0.0))
+            for j in range(row.size):
+                row[j] += factor * legendre_weights[k, j]

@@ -23,6 +23,10 @@ START_OVER_ROUGHNESS = 30.0
 STARTS = 5
 # Round-off may keep a residual above the tolerance; up to this many times it is accepted.
 ACCEPTED = 100.0
+# Residuals are lengths in units of the gap scale: the tolerance is that of a film of this thickness or more, and falls
+# with the film, down to this share.
+TOLERANCE_FILM = 0.1
+TOLERANCE_FLOOR = 0.01
 # A prediction keeps at least this share of the last smallest gap.
 KEPT_GAP = 0.2
 # Grids reach this much further than the solid pressure does, since the film will thin on the way down.
@@ -103,10 +107,11 @@ def leg(
             predict(logs, states, min(known, use), log_speed, state)
             open_gap(state, mesh.grid, scene, fields, KEPT_GAP * film_min)
         speed_number = np.exp(log_speed)
+        allowed = tolerance * min(max(film_min / TOLERANCE_FILM, TOLERANCE_FLOOR), 1.0)
         count, residual = newton(
-            state, speed_number, mesh.grid, scene, basis.integration, fields, work, tolerance
+            state, speed_number, mesh.grid, scene, basis.integration, fields, work, allowed
         )
-        if not residual <= tolerance * ACCEPTED:
+        if not residual <= allowed * ACCEPTED:
             if known == 0:
                 return False
             if use == 1:

@@ -28,6 +28,8 @@ MAX_RUPTURE_CHANGE = 0.3
 # Below this residual the factor at hand is used again as long as each step gains this factor.
 CHORD_RESIDUAL = 1e-3
 CHORD_GAIN = 0.1
+# A residual that low which a step does not lower is round-off.
+ROUND_OFF = 1e-9
 
 
 class Workspace(NamedTuple):
@@ -101,7 +103,7 @@ def newton(
                     break
             residual = np.inf
             share *= 0.5
-        if factored and residual > 0.5 * before and before < 1e-9:
+        if factored and residual > 0.5 * before and before <= ROUND_OFF:
             # Round-off: the factor is good and still nothing is gained.
             evaluate(state, speed_number, grid, scene, integration, fields)
             return count + 1, before

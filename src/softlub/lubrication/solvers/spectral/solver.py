@@ -58,7 +58,7 @@ class Spectral:
     """
 
     order: int = 8
-    tolerance: float = 1e-11
+    tolerance: float = 1e-9
     load_tolerance: float = 1e-10
 
     def refined(self) -> Spectral:
@@ -116,7 +116,7 @@ class Spectral:
         # Rounded, so that the same contact in other units takes the same path, decision by decision.
         viscous = hertz.speed_number(1.0, 1.0) * (problem.lubricant.viscosity * unique)
         march(
-            np.round(np.log(viscous), 12),
+            np.round(np.log(viscous), 12).astype(np.float64),
             scene,
             lobatto_basis(self.order),
             gauss_rule(self.order + 4),
