@@ -8,7 +8,33 @@ wildcard_constraints:
     figure="[A-Za-z0-9_-]+",
 
 
+rule topography:
+    input:
+        files=outside_files_of("topography"),
+    output:
+        "{results}/topography/{key}.nc",
+    params:
+        spec=spec_of("topography", "{key}"),
+    script:
+        "../scripts/run_stage.py"
+
+
+rule law:
+    input:
+        files=outside_files_of("law"),
+    output:
+        "{results}/law/{key}.nc",
+    params:
+        spec=spec_of("law", "{key}"),
+    resources:
+        mem_mb=memory_of_law,
+    script:
+        "../scripts/run_stage.py"
+
+
 rule panel:
+    input:
+        unpack(inputs_of("panel", "{key}")),
     output:
         "{results}/panel/{key}.nc",
     params:
@@ -19,7 +45,7 @@ rule panel:
 
 rule study:
     input:
-        panel=inputs_of("study", "{study}"),
+        unpack(inputs_of("study", "{study}")),
     output:
         "{results}/studies/{study}.nc",
     params:
@@ -30,7 +56,7 @@ rule study:
 
 rule figure:
     input:
-        study=inputs_of("figure", "{study}/{figure}"),
+        unpack(inputs_of("figure", "{study}/{figure}")),
         judged=judged_studies,
         claims=CLAIMS,
     output:

@@ -35,16 +35,32 @@ def spec_of(kind, name):
 
 
 def inputs_of(kind, name):
-    """Input function of a rule: the files that its job reads."""
+    """Input function of a rule: the files that its job reads, by the kind of node that makes them."""
 
     def inputs(wildcards):
         plan = PLANS[wildcards.results]
-        return files_of(
-            wildcards.results,
-            plan.inputs(plan.node(kind, name.format(**wildcards))),
-        )
+        by_kind = {}
+        for node in plan.inputs(plan.node(kind, name.format(**wildcards))):
+            by_kind.setdefault(node.kind, []).extend(
+                files_of(wildcards.results, [node])
+            )
+        return by_kind
 
     return inputs
+
+
+def outside_files_of(kind):
+    """Input function of a rule: the instruments' files that its job reads."""
+    return lambda wildcards: list(
+        PLANS[wildcards.results].node(kind, wildcards.key).files
+    )
+
+
+def memory_of_law(wildcards):
+    """What a law's job needs [MB]; two large ones side by side are more than many a machine has."""
+    spec = PLANS[wildcards.results].node("law", wildcards.key).spec
+    points = spec["surface"].get("points", 1024)
+    return int(estimated_bytes((points, points), spec["boundary"] != "free") / 1e6)
 
 
 def judged_studies(wildcards):

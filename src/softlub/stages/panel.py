@@ -16,7 +16,11 @@ from softlub.lubrication.speed_sweep import Arrays, dimensions, stack, sweep_arr
 from softlub.stages import scene as scenes
 from softlub.stages.design import sample_points
 from softlub.stages.scene import Scene
+from softlub.stages.tabulated import SweptSurface, read_law
 
+Laws = Sequence[SweptSurface | None]
+Case = tuple[Scene, SweptSurface | None]
+"""A scene, and the rough contact that its law comes from where it is a tabulated one."""
 Spec = Mapping[str, Any]
 Variables = dict[str, tuple[tuple[str, ...], np.ndarray]]
 
@@ -27,23 +31,26 @@ def run(spec: Spec, inputs: Mapping[str, Sequence[Path]], outputs: Sequence[Path
     Parameters
     ----------
     spec : mapping
-        Canonical spec of the node: scene, sweeps or sample, load, speed, solver, fields.
+        Canonical spec of the node: scene, sweeps or sample, load, speed, solver, fields, and which law each scene
+        reads, where one does.
     inputs : mapping
-        None.
+        ``law``: swept rough contacts in the plan's order.
     outputs : sequence of Path
         The dataset.
     """
-    dataset = sampled(spec) if spec.get("sample") else gridded(spec)
+    swept = [read_law(path) for path in inputs.get("law", ())]
+    laws = [None if index is None else swept[index] for index in spec.get("laws", ())]
+    dataset = sampled(spec, laws) if spec.get("sample") else gridded(spec, laws)
     store.write(dataset, outputs[0], {"spec": dict(spec)})
 
 
-def gridded(spec: Spec) -> xr.Dataset:
+def gridded(spec: Spec, laws: Laws = ()) -> xr.Dataset:
     """Scene swept over the product of given values; dimensions: the sweeps, load, speed, node."""
     sweeps = spec["sweeps"]
     shape = tuple(len(sweep["values"]) for sweep in sweeps)
     leading = tuple(sweep["dimension"] for sweep in sweeps)
-    swept = _swept_scenes(spec)
-    curves = stack([_solve(spec, scene, spec["load"]) for scene in swept])
+    swept = _cases(_swept_scenes(spec), laws)
+    curves = stack([_solve(spec, case, spec["load"]) for case in swept])
     variables: Variables = {
         name: (leading + dimensions(name), values.reshape(shape + values.shape[1:]))
         for name, values in curves.items()
@@ -57,14 +64,16 @@ def gridded(spec: Spec) -> xr.Dataset:
     return _dataset(variables, labels | {"load": np.array(spec["load"]), "speed": np.array(spec["speed"])})
 
 
-def sampled(spec: Spec) -> xr.Dataset:
+def sampled(spec: Spec, laws: Laws = ()) -> xr.Dataset:
     """Scenes drawn from ranges; dimensions: sample, speed, node; the drawn values stand beside the results."""
     points = sample_points(spec["sample"])
     loads = points.pop("load", None)
     if loads is None:
         loads = np.full(spec["sample"]["size"], spec["load"][0])
-    drawn = [_drawn_scene(spec["scene"], points, index) for index in range(len(loads))]
-    curves = stack([_solve(spec, scene, [load]) for scene, load in zip(drawn, loads, strict=True)])
+    drawn = _cases(
+        [_drawn_scene(spec["scene"], points, index) for index in range(len(loads))], [*laws] * len(loads)
+    )
+    curves = stack([_solve(spec, case, [load]) for case, load in zip(drawn, loads, strict=True)])
     variables: Variables = {
         name: (("sample", *dimensions(name)[1:]), values[:, 0]) for name, values in curves.items()
     }
@@ -90,26 +99,34 @@ def _drawn_scene(scene: Scene, points: Mapping[str, np.ndarray], index: int) -> 
     return scene
 
 
-def _solve(spec: Spec, scene: Scene, loads: Sequence[float]) -> Arrays:
+def _cases(swept: Sequence[Scene], laws: Laws) -> list[Case]:
+    return list(zip(swept, laws or [None] * len(swept), strict=True))
+
+
+def _solve(spec: Spec, case: Case, loads: Sequence[float]) -> Arrays:
+    scene, law = case
     solver = make_solver(**spec["solver"])
-    problem = scenes.problem(scene, loads[0], spec["speed"][0])
+    problem = scenes.problem(scene, loads[0], spec["speed"][0], law)
     return sweep_arrays(problem, loads, spec["speed"], solver, finer(solver), fields=spec["fields"])
 
 
-def _parameters(swept: Sequence[Scene]) -> dict[str, np.ndarray]:
+def _parameters(cases: Sequence[Case]) -> dict[str, np.ndarray]:
     """What later stages and figures need to know of every curve's scene."""
     return {
-        "viscosity": np.array([scene["lubricant"]["viscosity"] for scene in swept]),
-        "rms_roughness": np.array([scenes.surface(scene).rms_roughness for scene in swept]),
-        "long_term_modulus": np.array([scenes.material(scene).long_term_modulus for scene in swept]),
-        "plane_strain_modulus": np.array([scenes.material(scene).plane_strain_modulus for scene in swept]),
-        "radius": np.array([scene["body"]["shape"]["radius"] for scene in swept]),
+        "viscosity": np.array([scene["lubricant"]["viscosity"] for scene, _ in cases]),
+        "rms_roughness": np.array([scenes.rms_roughness(scene, law) for scene, law in cases]),
+        "long_term_modulus": np.array([scenes.material(scene).long_term_modulus for scene, _ in cases]),
+        "plane_strain_modulus": np.array([scenes.material(scene).plane_strain_modulus for scene, _ in cases]),
+        "radius": np.array([scene["body"]["shape"]["radius"] for scene, _ in cases]),
     }
 
 
-def _domains(swept: Sequence[Scene], loads: Sequence[Sequence[float]] | np.ndarray) -> dict[str, np.ndarray]:
+def _domains(cases: Sequence[Case], loads: Sequence[Sequence[float]] | np.ndarray) -> dict[str, np.ndarray]:
     """Domain and dry half-width of every curve at each of its loads, shape (curves, loads)."""
-    contacts = [[scenes.problem(scene, load, 1.0) for load in row] for scene, row in zip(swept, loads, strict=True)]
+    contacts = [
+        [scenes.problem(scene, load, 1.0, law) for load in row]
+        for (scene, law), row in zip(cases, loads, strict=True)
+    ]
     return {
         "half_domain": np.array([[contact.domain for contact in row] for row in contacts]),
         "hertz_half_width": np.array([[contact.hertz.half_width for contact in row] for row in contacts]),

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from softlub.study.blocks import Names
+from softlub.study.contact_grid import default_contact_solver
 from softlub.study.grid import SWEPT
 from softlub.study.labels import labels
-from softlub.study.models import StudyFile
+from softlub.study.models import RoughContactFile, StudyFile, SurfaceFile
 from softlub.study.outputs import SCALARS
-from softlub.study.parsed import Range, Sample, StandIn, Study, Sweep
+from softlub.study.parsed import Pressures, Range, Sample, StandIn, Study, Sweep
 from softlub.study.solvers import default_solver
+
+AnyFile = StudyFile | RoughContactFile | SurfaceFile
 
 
 def assembled(
     name: str,
-    file: StudyFile,
+    file: AnyFile,
     sweeps: Sequence[Sweep],
     ranges: Mapping[str, Range],
     accuracy: str,
@@ -27,7 +31,7 @@ def assembled(
     ----------
     name : str
         Stem of the file.
-    file : StudyFile
+    file : StudyFile, RoughContactFile or SurfaceFile
     sweeps : sequence of Sweep
     ranges : mapping
         Of the sample, by path.
@@ -40,9 +44,7 @@ def assembled(
     -------
     Study
     """
-    drawn = file.grid.sample
-    sample = None if drawn is None else Sample(drawn.points, drawn.seed, dict(sorted(ranges.items())))
-    solvers = tuple(file.grid.solver or [file.solver or default_solver()])
+    solvers = _solvers(file)
     solver_labels = labels(
         [solver.name for solver in solvers],
         [solver.options for solver in solvers],
@@ -54,15 +56,39 @@ def assembled(
         name=name,
         title=file.title or name,
         scene=file.scene.canonical(),
-        shear_strength=file.scene.shear_strength,
-        loads=file.grid.load or (),
-        speeds=file.grid.speed,
         sweeps=tuple(sweeps),
-        sample=sample,
-        solvers=solvers,
+        solvers=tuple(solvers),
         solver_labels=tuple(solver_labels),
         accuracy=accuracy,
-        outputs=tuple(file.outputs or SCALARS),
         figures=tuple(file.figures),
         stand_ins=tuple(stand_ins),
+        kind=file.kind,
+        **_own_part(file, ranges),
     )
+
+
+def _solvers(file: AnyFile) -> list[Any]:
+    if isinstance(file, SurfaceFile):
+        return []
+    default = default_solver if isinstance(file, StudyFile) else default_contact_solver
+    return list(file.grid.solver or [file.solver or default()])
+
+
+def _own_part(file: AnyFile, ranges: Mapping[str, Range]) -> dict[str, Any]:
+    """What only studies of its kind hold."""
+    if isinstance(file, StudyFile):
+        drawn = file.grid.sample
+        return {
+            "shear_strength": file.scene.shear_strength,
+            "loads": file.grid.load or (),
+            "speeds": file.grid.speed,
+            "sample": drawn and Sample(drawn.points, drawn.seed, dict(sorted(ranges.items()))),
+            "outputs": tuple(file.outputs or SCALARS),
+        }
+    own: dict[str, Any] = {"outputs": tuple(file.outputs or ())}
+    if isinstance(file, RoughContactFile):
+        for over, values in (("slope", file.grid.normalised_pressure), ("pascal", file.grid.pressure)):
+            if values is not None:
+                own["pressures"] = Pressures(over, values)
+        own["gap_thresholds"] = file.gap_thresholds
+    return own

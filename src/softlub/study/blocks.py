@@ -15,7 +15,8 @@ from softlub.study.messages import Problem, StudyError, did_you_mean
 PLACES: dict[str, tuple[str, dict[str, type], dict[str, str]]] = {
     "body.shape": ("shapes", parts.SHAPES, parts.UNBUILT_SHAPES),
     "body.material": ("materials", parts.MATERIALS, parts.UNBUILT_MATERIALS),
-    "surface": ("surfaces", parts.SURFACES, parts.UNBUILT_SURFACES),
+    "surface": ("surfaces", parts.SURFACES, {}),
+    "line": ("surfaces", parts.LINES, {}),
     "lubricant": ("lubricants", {}, {}),
 }
 """Where a name may stand: folder of the blocks, kinds that need no block, kinds that are not built."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from softlub.study import paths
+from softlub.study.contact_checks import contact_problems, law_problems
 from softlub.study.drawings import DRAWINGS, NEEDS
 from softlub.study.figures import Figure
 from softlub.study.messages import Problem
@@ -18,7 +19,14 @@ MOST_CURVES = 500_000
 
 def problems_of(study: Study) -> list[Problem]:
     """Everything wrong with a study whose entries are all right by themselves."""
-    return [*_solver_problems(study), *_figure_problems(study), *_grid_problems(study)]
+    if study.kind != "stribeck":
+        return [*_figure_problems(study), *contact_problems(study)]
+    return [
+        *_solver_problems(study),
+        *_figure_problems(study),
+        *_grid_problems(study),
+        *law_problems(study),
+    ]
 
 
 def _values(study: Study, path: str) -> list[Any]:
@@ -58,7 +66,16 @@ def _figure_problems(study: Study) -> Iterator[Problem]:
         "sample": study.sample is not None,
     }
     for figure in study.figures:
-        needs = DRAWINGS[figure.draw].needs
+        drawing = DRAWINGS[figure.draw]
+        if study.kind not in drawing.kinds:
+            fitting = ", ".join(name for name, other in DRAWINGS.items() if study.kind in other.kinds)
+            yield Problem(
+                "figures",
+                f"{figure.draw} ({figure.name}) draws studies of the kind {' or '.join(drawing.kinds)}; "
+                f"of this kind: {fitting}",
+            )
+            continue
+        needs = drawing.needs
         if needs and not there[needs]:
             yield Problem("figures", f"{figure.draw} ({figure.name}) needs {NEEDS[needs]}")
         yield from _option_problems(study, figure)

@@ -38,15 +38,24 @@ class Drawing:
 
     Parameters
     ----------
+    kinds : tuple of str
+        Kinds of studies whose datasets it draws.
     fields : bool
         Whether it draws pressures and separation over x, which are kept only when somebody needs them.
+    maps, heights, topographies : bool
+        Whether it draws maps of contact pressure and gap, heights of surfaces, or statistics and spectra of the
+        surfaces of a rough contact: each is computed only when somebody needs it.
     needs : str
         What must be swept: ``"solver"``, ``"field"`` (of the scene), ``"sample"``; empty for nothing.
     options : mapping
         Option -> how it is read.
     """
 
+    kinds: tuple[str, ...] = ("stribeck",)
     fields: bool = False
+    maps: bool = False
+    heights: bool = False
+    topographies: bool = False
     needs: str = ""
     options: Mapping[str, Reader] = field(default_factory=dict)
 
@@ -65,6 +74,17 @@ DRAWINGS: dict[str, Drawing] = {
     "sensitivity": Drawing(
         needs="sample", options={"bins": Quantity(Unit("1", at_least=2, at_most=500), whole=True)}
     ),
+    "profile_stages": Drawing(kinds=("surface",)),
+    "topography_map": Drawing(kinds=("surface",), heights=True),
+    "self_affine_spectrum": Drawing(kinds=("surface",)),
+    "surface_spectra": Drawing(kinds=("surface",)),
+    "wavevector_spacing": Drawing(kinds=("surface",), heights=True, needs="field"),
+    "spectra_and_heights": Drawing(kinds=("surface", "rough_contact"), topographies=True),
+    "persson_separation": Drawing(kinds=("rough_contact",)),
+    "area_and_separation": Drawing(kinds=("rough_contact",)),
+    "contact_lines": Drawing(kinds=("rough_contact",), maps=True),
+    "solver_comparison": Drawing(kinds=("rough_contact",)),
+    "deflection": Drawing(kinds=("deflection",)),
 }
 
 NEEDS = {

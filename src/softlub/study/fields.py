@@ -93,6 +93,26 @@ class Choice(Entry):
 
 
 @dataclass(frozen=True)
+class Text(Entry):
+    """A text; `numbers` where it may also be counted from 0."""
+
+    numbers: bool = False
+
+    def read(self, value: Any) -> str | int:
+        """The text itself."""
+        if self.numbers and isinstance(value, int) and not isinstance(value, bool) and value >= 0:
+            return value
+        if not isinstance(value, str) or not value:
+            raise refusal("must be a text" + (", or a number from 0" if self.numbers else ""))
+        return value
+
+    def json_schema(self) -> JsonSchema:
+        """A text that is not empty, or a whole number."""
+        text = {"type": "string", "minLength": 1}
+        return {"anyOf": [text, {"type": "integer", "minimum": 0}]} if self.numbers else text
+
+
+@dataclass(frozen=True)
 class Words(Entry):
     """A list of words, each one of a few."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Any, ClassVar
 
 from pydantic import ConfigDict, Field, model_validator
+from pydantic.config import JsonDict
 
 from softlub.study.base import StudyModel
 from softlub.study.fields import Quantity, refusal
@@ -41,21 +42,23 @@ class Sample(StudyModel):
         return self
 
 
+SWEPT_SCHEMA: JsonDict = {
+    "patternProperties": {
+        "^scene\\.": {
+            "anyOf": [
+                {"type": "array", "minItems": 1, "items": {"type": ["number", "string", "object"]}},
+                range_schema(_ANY_QUANTITY),
+            ]
+        }
+    }
+}
+"""JSON schema of the swept fields of a scene."""
+
+
 class Grid(StudyModel):
     """What is varied; swept fields of the scene are read apart, since their types are the scene's."""
 
-    model_config = ConfigDict(
-        json_schema_extra={
-            "patternProperties": {
-                "^scene\\.": {
-                    "anyOf": [
-                        {"type": "array", "minItems": 1, "items": {"type": ["number", "string", "object"]}},
-                        range_schema(_ANY_QUANTITY),
-                    ]
-                }
-            }
-        }
-    )
+    model_config = ConfigDict(json_schema_extra=SWEPT_SCHEMA)
 
     further_keys: ClassVar[str] = "and any field of the scene as scene.…"
     load: Annotated[tuple[float, ...], Values(LOAD)] | None = None

@@ -1,25 +1,28 @@
-"""A study file as a whole, but for what its swept fields hold."""
+"""Study files as a whole, one model a kind of study, but for what their swept fields hold."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
 from softlub.study.accuracy import ACCURACIES
 from softlub.study.base import StudyModel
+from softlub.study.contact_grid import ContactGrid, ContactSolver, SurfaceGrid
+from softlub.study.contact_scene import ContactScene, SurfaceScene
 from softlub.study.fields import Choice, Words
 from softlub.study.figures import FigureEntry
 from softlub.study.grid import Grid
-from softlub.study.outputs import OUTPUTS
+from softlub.study.outputs import CONTACT_OUTPUTS, OUTPUTS, SURFACE_OUTPUTS
+from softlub.study.ranges import Values
 from softlub.study.scene import Scene
 from softlub.study.solvers import Solver
+from softlub.units import Unit
 
+KINDS = ("stribeck", "rough_contact", "surface")
 _UNBUILT_KINDS = {
-    "rough_contact": "rough contact is not taken into studies yet",
     "solid": "finite elements are not there yet",
     "equivalence": "finite elements are not there yet",
-    "surface": "topographies are not taken into studies yet",
     "material": "only linear elasticity is there",
     "benchmark": "benchmarks have a folder of their own, benchmarks/",
 }
@@ -32,28 +35,18 @@ class StandIn(StudyModel):
     reason: Annotated[str, Field(min_length=1)]
 
 
-class StudyFile(StudyModel):
-    """A study file."""
+class CommonFile(StudyModel):
+    """What every study file may hold."""
 
     title: str | None = None
     about: str | None = None
-    kind: Annotated[str, Choice(("stribeck",), _UNBUILT_KINDS)] = "stribeck"
-    scene: Scene
-    grid: Grid
-    solver: Solver = None
+    kind: Annotated[str, Choice(KINDS, _UNBUILT_KINDS)] = "stribeck"
     accuracy: Annotated[str, Choice(ACCURACIES)] | None = None
-    outputs: Annotated[tuple[str, ...], Words(tuple(OUTPUTS))] | None = None
     figures: list[FigureEntry] = Field(default_factory=list)
     stand_ins: list[StandIn] = Field(default_factory=list)
 
     @model_validator(mode="after")
-    def _solver_is_given_once(self) -> StudyFile:
-        if self.solver is not None and self.grid.solver is not None:
-            raise ValueError("solver is given twice: as solver and as grid.solver; keep one")
-        return self
-
-    @model_validator(mode="after")
-    def _figures_differ(self) -> StudyFile:
+    def _figures_differ(self) -> CommonFile:
         names = [figure.name.lower() for figure in self.figures]
         twice = {name for name in names if names.count(name) > 1}
         if twice:
@@ -61,3 +54,46 @@ class StudyFile(StudyModel):
                 f"two figures have the name {', '.join(sorted(twice))}; give each a name of its own"
             )
         return self
+
+    @model_validator(mode="after")
+    def _solver_is_given_once(self) -> CommonFile:
+        own, swept = getattr(self, "solver", None), getattr(getattr(self, "grid", None), "solver", None)
+        if own is not None and swept is not None:
+            raise ValueError("solver is given twice: as solver and as grid.solver; keep one")
+        return self
+
+
+class StudyFile(CommonFile):
+    """A study of a lubricated contact over load and speed."""
+
+    scene: Scene
+    grid: Grid
+    solver: Solver = None
+    outputs: Annotated[tuple[str, ...], Words(tuple(OUTPUTS))] | None = None
+
+
+class RoughContactFile(CommonFile):
+    """A study of rough surfaces under load."""
+
+    scene: ContactScene
+    grid: ContactGrid = Field(default_factory=ContactGrid)
+    solver: ContactSolver = None
+    outputs: Annotated[tuple[str, ...], Words(tuple(CONTACT_OUTPUTS))] | None = None
+    gap_thresholds: Annotated[tuple[float, ...], Values(Unit("m", above=0))] = ()
+
+
+class SurfaceFile(CommonFile):
+    """A study of surfaces and lines by themselves."""
+
+    scene: SurfaceScene
+    grid: SurfaceGrid = Field(default_factory=SurfaceGrid)
+    outputs: Annotated[tuple[str, ...], Words(tuple(SURFACE_OUTPUTS))] | None = None
+
+
+FILES: dict[str, Any] = {
+    "stribeck": StudyFile,
+    "rough_contact": RoughContactFile,
+    "surface": SurfaceFile,
+}
+SCENES: dict[str, Any] = {"stribeck": Scene, "rough_contact": ContactScene, "surface": SurfaceScene}
+"""Model of a file and of its scene, by the kind of study."""

@@ -33,15 +33,17 @@ class Node:
     Parameters
     ----------
     kind : str
-        ``panel``, ``study`` or ``figure``.
+        ``topography``, ``law``, ``panel``, ``study`` or ``figure``.
     name : str
-        What its files are called: the key for a panel, ``<study>`` and ``<study>/<figure>`` for the others.
+        What its files are called: the key for the first three, ``<study>`` and ``<study>/<figure>`` for the others.
     key : str
         Readable slug and ten hex digits of the hash of `spec`.
     spec : mapping
         Everything that decides the result, in SI: JSON values only.
     inputs : tuple of str
         Keys of the nodes whose files it reads.
+    files : tuple of str
+        Files from outside that it reads; the spec holds the hash of what is in them, not where they lie.
     """
 
     kind: str
@@ -49,11 +51,12 @@ class Node:
     key: str
     spec: Mapping[str, Any] = field(hash=False)
     inputs: tuple[str, ...] = ()
+    files: tuple[str, ...] = ()
 
     @property
     def path(self) -> str:
         """Its file below the results folder; of a figure the PDF."""
-        folder = {"panel": "panel", "study": "studies", "figure": "figures"}[self.kind]
+        folder = {"study": "studies", "figure": "figures"}.get(self.kind, self.kind)
         return f"{folder}/{self.name}.{'pdf' if self.kind == 'figure' else 'nc'}"
 
     @property
@@ -65,7 +68,12 @@ class Node:
 
 
 def make_node(
-    kind: str, slug: str, spec: Mapping[str, Any], inputs: Iterable[Node] = (), name: str = ""
+    kind: str,
+    slug: str,
+    spec: Mapping[str, Any],
+    inputs: Iterable[Node] = (),
+    name: str = "",
+    files: tuple[str, ...] = (),
 ) -> Node:
     """A node with its key.
 
@@ -79,6 +87,8 @@ def make_node(
     inputs : iterable of Node
     name : str
         Of its files; the key where there is none.
+    files : tuple of str
+        Files from outside that it reads.
 
     Returns
     -------
@@ -87,7 +97,7 @@ def make_node(
     keys = tuple(node.key for node in inputs)
     whole = {**spec, "input_keys": list(keys)}
     key = f"{slug}-{digest(whole)[:DIGITS]}"
-    return Node(kind, name or key, key, whole, keys)
+    return Node(kind, name or key, key, whole, keys, files)
 
 
 @dataclass(frozen=True)

@@ -51,6 +51,51 @@ class PerssonOptions:
 
 
 @dataclass(frozen=True)
+class BoundaryElementOptions:
+    """The law of the surface itself: a sweep of loads by boundary elements, averaged over realisations.
+
+    Parameters
+    ----------
+    pressure_factor : float
+        Multiplies the pressure.
+    """
+
+    pressure_factor: Factor = 1.0
+
+
+@dataclass(frozen=True)
+class ContactOptions:
+    """A solver of rough contact.
+
+    Parameters
+    ----------
+    tolerance : float
+        Root mean square gap over the contact at convergence, over h_rms.
+    """
+
+    tolerance: Annotated[float, Unit("1", at_least=1e-12, at_most=1e-2)] = 1e-6
+
+
+@dataclass(frozen=True)
+class PolonskyKeerOptions:
+    """The source's own algorithm (section 4.5).
+
+    Parameters
+    ----------
+    tolerance : float
+        As in `ContactOptions`; 0 to stop on `change` alone.
+    change : float
+        Relative change of the pressure at which it stops (equation 4-47); 0 to stop on `tolerance` alone.
+    iterations : int
+        Iterations after which a load is given back as not converged.
+    """
+
+    tolerance: Annotated[float, Unit("1", at_least=0, at_most=1e-2)] = 1e-6
+    change: Annotated[float, Unit("1", at_least=0, at_most=1e-2)] = 0.0
+    iterations: Annotated[int, Unit("1", at_least=1, at_most=1_000_000)] = 10_000
+
+
+@dataclass(frozen=True)
 class SpectralOptions:
     """Spectral elements with the rupture point as an unknown.
 

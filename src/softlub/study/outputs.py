@@ -35,6 +35,11 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
 }
 """Group -> variables; the state of each point and the inputs are always kept."""
 
+CONTACT_OUTPUTS = ("maps",)
+"""Of a rough contact: contact pressure and gap over the surface; curves over the load are always kept."""
+SURFACE_OUTPUTS = ("heights",)
+"""Of a surface: its heights; statistics and spectra are always kept."""
+
 SCALARS = ("friction", "separation", "contact")
 """Groups without fields over x: the default."""
 

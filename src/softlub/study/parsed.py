@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from softlub.study.figures import Figure
+from softlub.study.measured_files import MeasuredFile
 
 
 @dataclass(frozen=True)
@@ -61,6 +62,21 @@ class StandIn:
 
 
 @dataclass(frozen=True)
+class Pressures:
+    """Nominal pressures of a rough contact.
+
+    Parameters
+    ----------
+    over : {"slope", "pascal"}
+        Whether `values` are p/(E* h'_rms) or p [Pa].
+    values : tuple of float
+    """
+
+    over: str
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
 class Study:
     """A validated study.
 
@@ -86,22 +102,34 @@ class Study:
         Groups of variables that the dataset keeps.
     figures : tuple of Figure
     stand_ins : tuple of StandIn
+    kind : str
+        What loads, speeds and shear strength stand in only where it is ``stribeck``.
+    pressures : Pressures or None
+        Of a rough contact; None leaves them to the accuracy.
+    gap_thresholds : tuple of float
+        Gaps below which a point counts as touching, for comparison [m].
+    files : mapping
+        Instruments' files by the name that the study gives them.
     """
 
     name: str
     title: str
     scene: Mapping[str, Any] = field(hash=False)
-    shear_strength: Mapping[str, Any] = field(hash=False)
-    loads: tuple[float, ...]
-    speeds: tuple[float, ...]
     sweeps: tuple[Sweep, ...]
-    sample: Sample | None
     solvers: tuple[Any, ...]
     solver_labels: tuple[str, ...]
     accuracy: str
     outputs: tuple[str, ...]
     figures: tuple[Figure, ...]
     stand_ins: tuple[StandIn, ...]
+    kind: str = "stribeck"
+    shear_strength: Mapping[str, Any] = field(default_factory=dict, hash=False)
+    loads: tuple[float, ...] = ()
+    speeds: tuple[float, ...] = ()
+    sample: Sample | None = None
+    pressures: Pressures | None = None
+    gap_thresholds: tuple[float, ...] = ()
+    files: Mapping[str, MeasuredFile] = field(default_factory=dict, hash=False)
 
     @property
     def chapter(self) -> int | None:

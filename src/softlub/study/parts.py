@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import MISSING, fields
 from functools import cache
-from typing import Annotated, Any, ClassVar, Literal, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, ClassVar, Literal, Union, get_args, get_origin, get_type_hints
 
 from pydantic import create_model, model_validator
 
@@ -16,17 +16,25 @@ from softlub.solid.materials.linear_elastic import LinearElastic
 from softlub.solid.shapes.cylinder import Cylinder
 from softlub.study import options
 from softlub.study.base import StudyModel
-from softlub.study.fields import Choice, Quantity
-from softlub.surfaces.spectrum import SelfAffine, Smooth
+from softlub.study.fields import Choice, Quantity, Text
+from softlub.surfaces.measurement import Measured, MeasuredLine
+from softlub.surfaces.spectrum import Smooth
+from softlub.surfaces.synthetic import Synthetic, SyntheticLine
 from softlub.units import Unit
 
 SHAPES: dict[str, type] = {"cylinder": Cylinder}
 MATERIALS: dict[str, type] = {"linear_elastic": LinearElastic}
-SURFACES: dict[str, type] = {"self_affine": SelfAffine, "smooth": Smooth}
+SURFACES: dict[str, type] = {"self_affine": Synthetic, "measured": Measured, "smooth": Smooth}
+LINES: dict[str, type] = {"self_affine_line": SyntheticLine, "measured_line": MeasuredLine}
 LAWS: dict[str, type] = {
     "none": options.NoContactOptions,
     "exponential": options.ExponentialOptions,
     "persson": options.PerssonOptions,
+    "boundary_element": options.BoundaryElementOptions,
+}
+CONTACT_SOLVERS: dict[str, type] = {
+    "conjugate_gradients": options.ContactOptions,
+    "polonsky_keer": options.PolonskyKeerOptions,
 }
 SOLVERS: dict[str, type] = {
     "auto": options.AutoOptions,
@@ -43,14 +51,8 @@ UNBUILT_SHAPES = dict.fromkeys(("half_cylinder", "triangle", "wiper", "profile")
 UNBUILT_MATERIALS = dict.fromkeys(
     ("neo_hooke", "mooney_rivlin", "hyperelastic", "viscoelastic"), "only linear elasticity is there"
 )
-UNBUILT_SURFACES = {"measured": "topographies are not taken into studies yet"}
-UNBUILT_LAWS = {"boundary_element": "rough contact is not taken into studies yet"}
 UNBUILT_STIFFNESS = dict.fromkeys(("initial", "deformed", "auto"), "meshed bodies are not there yet")
 UNBUILT_KEYS: dict[type, dict[str, str]] = {
-    SelfAffine: dict.fromkeys(
-        ("size", "points", "seed", "realisations"),
-        "surfaces are used by their spectrum and none is synthesised",
-    ),
     Lubricant: {"flow_factor": "the film flows as between smooth walls"},
 }
 """Keys of the design that this version does not know yet, and what it does instead."""
@@ -113,13 +115,15 @@ def field_type(hint: Any) -> Any:
     """A field's annotation as the study reader reads it."""
     if get_origin(hint) is Literal:
         return Annotated[str, Choice(get_args(hint))]
+    if hint is str or set(get_args(hint)) == {str, int}:
+        return Annotated[hint, Text(numbers=hint is not str)]
     unit = unit_of(hint)
     if unit is not None and get_origin(hint) is Annotated:
         whole = get_args(hint)[0] is int
         return Annotated[int if whole else float, Quantity(unit, whole)]
     if type(None) in get_args(hint):
-        (value,) = (argument for argument in get_args(hint) if argument is not type(None))
-        return field_type(value) | None
+        kinds = tuple(argument for argument in get_args(hint) if argument is not type(None))
+        return field_type(Union[kinds]) | None  # noqa: UP007 (as many as there are)
     raise TypeError(f"no way to read a field of type {hint}")
 
 

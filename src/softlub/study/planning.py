@@ -8,14 +8,15 @@ from typing import Any
 
 from softlub.study import paths
 from softlub.study.accuracy import PRESETS
+from softlub.study.combinations import scenes_of
+from softlub.study.contact_planning import contact_nodes, panel_laws
 from softlub.study.drawings import DRAWINGS
-from softlub.study.nodes import Node, Plan, digest, make_node
+from softlub.study.nodes import Node, Plan, make_node
 from softlub.study.outputs import SCALARS, left_out
-from softlub.study.parsed import Study
+from softlub.study.parsed import Study, Sweep
 from softlub.study.solvers import settings
-
-REVISIONS = {"panel": 1, "study": 1, "figure": 1}
-"""Raised when a stage's results change without a change of its spec: all its nodes are then computed anew."""
+from softlub.study.specimens import without_specimen
+from softlub.study.stamp import REVISIONS, plain, stamp
 
 CHUNK = 512
 """Curves of a sample that one panel solves; a power of two, so that each chunk of a Sobol design is balanced."""
@@ -31,10 +32,10 @@ def plan(study: Study) -> Plan:
     Returns
     -------
     Plan
-        Panels, the study that joins them, its figures.
+        Laws and panels, or topographies, the study that joins them, its figures.
     """
-    panels, labels = _panels(study)
-    joined = _study_node(study, panels, labels)
+    nodes = _lubricated_nodes(study) if study.kind == "stribeck" else contact_nodes(study)
+    joined = nodes[-1]
     figures = [
         make_node(
             "figure",
@@ -45,7 +46,7 @@ def plan(study: Study) -> Plan:
                 "study": study.name,
                 "figure": figure.name,
                 "draw": figure.draw,
-                "options": _plain(figure.options),
+                "options": plain(figure.options),
             },
             [joined],
             f"{study.name}/{figure.name}",
@@ -54,7 +55,7 @@ def plan(study: Study) -> Plan:
     ]
     chapters = {} if study.chapter is None else {study.name: study.chapter}
     # Two solvers with different labels may be the same one.
-    return Plan(tuple({node.key: node for node in [*panels, joined, *figures]}.values()), chapters)
+    return Plan(tuple({node.key: node for node in [*nodes, *figures]}.values()), chapters)
 
 
 def needs_fields(study: Study) -> bool:
@@ -62,7 +63,14 @@ def needs_fields(study: Study) -> bool:
     return "fields" in study.outputs or any(DRAWINGS[figure.draw].fields for figure in study.figures)
 
 
-def _panels(study: Study) -> tuple[list[Node], list[str]]:
+def _lubricated_nodes(study: Study) -> list[Node]:
+    """Laws, panels and the study itself."""
+    laws, index = panel_laws(study, list(scenes_of(study)))
+    panels, labels = _panels(study, laws, index)
+    return [*laws, *panels, _study_node(study, panels, labels)]
+
+
+def _panels(study: Study, laws: list[Node], law_index: list[int | None]) -> tuple[list[Node], list[str]]:
     accuracy = PRESETS[study.accuracy]
     panels: list[Node] = []
     labels: list[str] = []
@@ -77,20 +85,27 @@ def _panels(study: Study) -> tuple[list[Node], list[str]]:
                     {
                         "dimension": sweep.dimension,
                         "path": sweep.path,
-                        "values": _plain(sweep.values),
+                        "values": _solved_values(sweep),
                         "labels": list(sweep.labels),
                     }
                     for sweep in study.sweeps
                 ],
+                **({"laws": law_index} if laws else {}),
                 "sample": sample,
                 "load": list(study.loads),
                 "speed": solver.speeds(study.speeds),
                 "solver": chosen,
                 "fields": needs_fields(study),
             }
-            panels.append(make_node("panel", _slug(spec), spec))
+            panels.append(make_node("panel", _slug(spec), spec, laws))
             labels.append(label)
     return panels, labels
+
+
+def _solved_values(sweep: Sweep) -> list[Any]:
+    """Values of a swept field as a panel knows them: a surface by its spectrum."""
+    values: list[Any] = plain(sweep.values)
+    return [without_specimen(value) for value in values] if sweep.path == "surface" else values
 
 
 def base_scene(study: Study, half_domain: float | None = None) -> dict[str, Any]:
@@ -109,10 +124,13 @@ def base_scene(study: Study, half_domain: float | None = None) -> dict[str, Any]
     scene: dict[str, Any] = copy.deepcopy(dict(study.scene))
     scene["half_domain"] = half_domain or scene["half_domain"] or PRESETS[study.accuracy].half_domain
     for sweep in study.sweeps:
-        scene = paths.replaced(scene, sweep.path, _plain(sweep.values[0]))
+        scene = paths.replaced(scene, sweep.path, plain(sweep.values[0]))
     for path, bounds in (study.sample.ranges if study.sample else {}).items():
         if path != "load":
             scene = paths.replaced(scene, path, bounds.low)
+    # Where a measured surface lies is no part of the key: what is in it stands in the law's.
+    surface = without_specimen(scene["surface"])
+    scene["surface"] = {"kind": "measured"} if surface["kind"] == "measured" else surface
     return scene
 
 
@@ -148,18 +166,13 @@ def _study_node(study: Study, panels: list[Node], labels: list[str]) -> Node:
         *(SCALARS if study.figures else ()),
         *(["fields"] if needs_fields(study) else []),
     }
-    described = _description(study)
     spec = {
         "stage": "study",
         "revision": REVISIONS["study"],
-        "study": study.name,
-        "title": study.title,
-        "shear_strength": _plain(study.shear_strength),
+        "shear_strength": plain(study.shear_strength),
         "solvers": labels,
         "left_out": left_out(outputs),
-        "stand_ins": [{"key": entry.key, "reason": entry.reason} for entry in study.stand_ins],
-        "definition": described,
-        "definition_hash": digest(described),
+        **stamp(study, _description(study)),
     }
     return make_node("study", study.name.lower(), spec, panels, study.name)
 
@@ -168,11 +181,11 @@ def _description(study: Study) -> dict[str, Any]:
     """What the dataset tells of its study: everything but the figures."""
     sample = study.sample
     return {
-        "scene": _plain(study.scene),
-        "shear_strength": _plain(study.shear_strength),
+        "scene": plain(study.scene),
+        "shear_strength": plain(study.shear_strength),
         "load": list(study.loads),
         "speed": list(study.speeds),
-        "sweeps": {sweep.path: _plain(sweep.values) for sweep in study.sweeps},
+        "sweeps": {sweep.path: plain(sweep.values) for sweep in study.sweeps},
         "sample": sample
         and {
             "points": sample.points,
@@ -182,12 +195,3 @@ def _description(study: Study) -> dict[str, Any]:
         "solvers": [solver.model_dump(by_alias=True) for solver in study.solvers],
         "accuracy": study.accuracy,
     }
-
-
-def _plain(value: Any) -> Any:
-    """A value as JSON knows it."""
-    if isinstance(value, Mapping):
-        return {str(key): _plain(entry) for key, entry in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(entry) for entry in value]
-    return value

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,16 +14,17 @@ from pydantic_core import PydanticCustomError
 
 from softlub.study import paths
 from softlub.study.accuracy import ACCURACIES
-from softlub.study.assembly import assembled
+from softlub.study.assembly import AnyFile, assembled
 from softlub.study.blocks import Names
 from softlub.study.checks import problems_of
+from softlub.study.combinations import scenes_of
 from softlub.study.fields import refusal
 from softlub.study.files import read_block
 from softlub.study.grid import SWEPT, check_swept_key
+from softlub.study.measured_files import MeasuredFile, find, try_out
 from softlub.study.messages import Problem, StudyError, did_you_mean, shown
-from softlub.study.models import StudyFile
+from softlub.study.models import FILES, KINDS, SCENES, CommonFile
 from softlub.study.parsed import Study, Sweep
-from softlub.study.scene import Scene
 from softlub.study.solvers import as_block
 from softlub.study.sweeps import SceneReader, check_path, check_together, read_sampled, read_sweep
 
@@ -90,6 +92,9 @@ class _Reading:
         self.raw = raw
         self.names = names
         self.problems: list[Problem] = []
+        kind = raw.get("kind")
+        # An unknown kind is refused where the file is read as a study of the first one.
+        self.kind = kind if isinstance(kind, str) and kind in KINDS else KINDS[0]
         grid = raw.get("grid")
         self.grid: Raw = grid if isinstance(grid, dict) else {}
         self.swept = {key: entry for key, entry in self.grid.items() if str(key).startswith(SWEPT)}
@@ -122,9 +127,27 @@ class _Reading:
         if self.problems or file is None:
             return None
         chosen = accuracy if overrule and accuracy else file.accuracy or accuracy or "standard"
-        study = assembled(self.path.stem, file, sweeps, ranges, chosen, self.names)
-        self.problems += problems_of(study)
+        study = self._with_files(assembled(self.path.stem, file, sweeps, ranges, chosen, self.names))
+        if not self.problems:
+            self.problems += problems_of(study)
         return study
+
+    def _with_files(self, study: Study) -> Study:
+        """The study with the instruments' files that it names, each found, hashed and tried out."""
+        folders = [self.path.parent, self.names.folder / "surfaces"]
+        files: dict[str, MeasuredFile] = {}
+        for scene in scenes_of(study):
+            for place in ("surface", "line"):
+                block = scene.get(place) or {}
+                if "file" not in block:
+                    continue
+                written = block["file"]
+                try:
+                    files[written] = find(written, folders)
+                    try_out(block, files[written])
+                except ValueError as error:
+                    self._refuse(f"scene.{place}.file", str(error), written)
+        return replace(study, files=files)
 
     def _scene_reader(self) -> SceneReader:
         """Reader of the file's scene, in which every swept field holds its first value."""
@@ -144,7 +167,7 @@ class _Reading:
             scene = self.names.resolved(scene)
         except StudyError as error:
             self.problems += [p for p in error.problems if p not in self.problems]
-        return SceneReader(scene, self.names)
+        return SceneReader(scene, self.names, SCENES[self.kind])
 
     def _first_values(self) -> Raw:
         firsts: Raw = {}
@@ -157,7 +180,7 @@ class _Reading:
                 firsts[key] = first
         return firsts
 
-    def _file(self, reader: SceneReader) -> StudyFile | None:
+    def _file(self, reader: SceneReader) -> AnyFile | None:
         grid: Any = self.raw.get("grid")
         if isinstance(grid, dict):
             grid = {key: entry for key, entry in grid.items() if not str(key).startswith(SWEPT)}
@@ -167,7 +190,8 @@ class _Reading:
         block |= {"grid": grid} if "grid" in self.raw else {}
         block |= {"solver": as_block(self.raw["solver"])} if "solver" in self.raw else {}
         try:
-            return StudyFile.model_validate(_with_text_keys(block))
+            file: AnyFile = FILES[self.kind].model_validate(_with_text_keys(block))
+            return file
         except ValidationError as error:
             known = {problem.key for problem in self.problems}
             for entry in error.errors(include_url=False):
@@ -185,13 +209,13 @@ class _Reading:
         if any(key == swept or key.startswith(f"{swept}.") for swept in [*self.swept, *self.sampled]):
             key = f"grid.{key}"
         # Where a key is missing or a rule joins several, the input is the whole block, which would say nothing.
-        whole = text.startswith("is missing") or isinstance(entry["input"], StudyFile)
+        whole = text.startswith("is missing") or isinstance(entry["input"], CommonFile)
         return Problem(key, text, "" if whole else shown(entry["input"]))
 
     def _varied(self, reader: SceneReader) -> tuple[list[Sweep], Raw]:
         """Swept fields, and ranges of sampled ones; nothing where the scene itself is wrong."""
         try:
-            Scene.model_validate(reader.scene)
+            reader.model.model_validate(reader.scene)
         except ValidationError:
             return [], {}
         firsts = {key.removeprefix(SWEPT): value for key, value in self._first_values().items()}

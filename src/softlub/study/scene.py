@@ -36,19 +36,31 @@ Surface = Annotated[
     Tagged(
         "kind",
         parts.models_of(parts.SURFACES),
-        unbuilt=parts.UNBUILT_SURFACES,
         bare="smooth, or the name of a block in config/surfaces",
     ),
 ]
 Law = Annotated[
     Any,
-    Tagged(
-        "name", parts.models_of(parts.LAWS, "name"), unbuilt=parts.UNBUILT_LAWS, bare="name of a contact law"
-    ),
+    Tagged("name", parts.models_of(parts.LAWS, "name"), bare="name of a contact law"),
 ]
 Lubricant = Annotated[
     Any, Single(parts.model_of(parts.LUBRICANT), bare="name of a block in config/lubricants")
 ]
+
+
+DEFAULT_LAWS = {"smooth": "none", "self_affine": "persson", "measured": "boundary_element"}
+"""Contact law of a surface's kind where the scene names none."""
+
+
+def lacks_heights(surface: Any) -> str:
+    """What keeps a surface from being made, empty if nothing does."""
+    missing = [
+        name
+        for name in ("size", "points")
+        if surface.kind == "self_affine" and getattr(surface, name) is None
+    ]
+    needed = " and ".join(f"surface.{name}" for name in missing)
+    return f"needs the surface itself and not only its spectrum; give {needed}" if missing else ""
 
 
 class Body(StudyModel):
@@ -77,16 +89,19 @@ class Scene(StudyModel):
                 f"contact_law {law.name} needs a rough surface, and the surface is smooth; "
                 "leave contact_law out or give the surface a roughness"
             )
+        if law is not None and law.name == "boundary_element" and (lack := lacks_heights(self.surface)):
+            raise ValueError(f"contact_law boundary_element {lack}")
+        if law is not None and law.name in ("persson", "exponential") and self.surface.kind == "measured":
+            raise ValueError(
+                f"contact_law {law.name} needs a spectrum, and the surface is measured; "
+                "take boundary_element, or fit a self_affine surface to it"
+            )
         return self
 
     def canonical(self) -> dict[str, Any]:
         """The scene in SI with every default filled in, as nodes of the plan carry it; without shear strength."""
-        law = (
-            self.contact_law
-            or parts.model_of(
-                parts.LAWS[name := "none" if self.surface.kind == "smooth" else "persson"], "name", name
-            )()
-        )
+        name = DEFAULT_LAWS[self.surface.kind]
+        law = self.contact_law or parts.model_of(parts.LAWS[name], "name", name)()
         return {
             "body": {
                 "shape": self.body.shape.model_dump(),

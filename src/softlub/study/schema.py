@@ -7,17 +7,29 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pydantic.json_schema import GenerateJsonSchema
+from pydantic.json_schema import GenerateJsonSchema, models_json_schema
 
-from softlub.study.models import StudyFile
+from softlub.study.models import FILES, KINDS, SCENES
 
 SCHEMA_FILE = Path("config/study.schema.json")
 
 
 def generated() -> dict[str, Any]:
-    """The schema, from the same models that read the file."""
-    schema = StudyFile.model_json_schema(mode="validation", schema_generator=GenerateJsonSchema)
-    return {"$schema": GenerateJsonSchema.schema_dialect, **schema}
+    """The schema, from the same models that read the file: one of several by its kind."""
+    models = [FILES[kind] for kind in KINDS]
+    keys, schema = models_json_schema(
+        [(model, "validation") for model in models], schema_generator=GenerateJsonSchema
+    )
+    blocks = schema["$defs"]
+    for kind, model in FILES.items():
+        blocks[model.__name__]["properties"]["kind"] = {"const": kind}
+        if kind != KINDS[0]:
+            blocks[model.__name__]["required"].append("kind")
+    for scene in SCENES.values():
+        # Whatever is swept may stand in the grid alone.
+        blocks[scene.__name__].pop("required", None)
+    alternatives = [keys[model, "validation"] for model in models]
+    return {"$schema": GenerateJsonSchema.schema_dialect, "$defs": blocks, "anyOf": alternatives}
 
 
 def text() -> str:

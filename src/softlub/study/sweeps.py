@@ -32,11 +32,14 @@ class SceneReader:
         Raw scene, its names resolved.
     names : Names
         Resolver for names among the replacements.
+    model : type
+        Model of the scene.
     """
 
-    def __init__(self, scene: Any, names: Names) -> None:
+    def __init__(self, scene: Any, names: Names, model: Any = Scene) -> None:
         self.scene = scene
         self.names = names
+        self.model = model
 
     def raw(self, values: Mapping[str, Any]) -> Any:
         """The raw scene with values put at their paths; a refusal where that cannot be."""
@@ -54,7 +57,8 @@ class SceneReader:
     def canonical(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The canonical scene with values put at their paths; a refusal where it is none."""
         try:
-            return Scene.model_validate(self.raw(values)).canonical()
+            canonical: dict[str, Any] = self.model.model_validate(self.raw(values)).canonical()
+            return canonical
         except ValidationError as error:
             raise refusal(
                 "; ".join(_told(entry, values) for entry in error.errors(include_url=False))

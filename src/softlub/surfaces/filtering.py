@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Generic, Literal, NamedTuple, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 import scipy.fft
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from softlub.surfaces.measurement import Form
 from softlub.surfaces.profile import Profile
 from softlub.surfaces.surface_topography import as_surface_topography
 from softlub.surfaces.topography import Topography
 
 AnySurface = TypeVar("AnySurface", Topography, Profile)
-Form = Literal["mean", "tilt", "curvature"]
 
 DETREND_MODES = {"mean": "mean", "tilt": "rms-tilt", "curvature": "rms-curvature"}
 """SurfaceTopography's names of the forms."""

@@ -7,16 +7,15 @@ import io
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from softlub.surfaces.measurement import Missing
 from softlub.surfaces.profile import Profile
 from softlub.surfaces.surface_topography import surface_topography
 from softlub.surfaces.topography import Topography
-
-Missing = Literal["refuse", "fill"]
 
 # Instruments write spacings along x and y with some four digits.
 EVEN_SPACING = 1e-3

@@ -1,46 +1,16 @@
-"""A measured surface as a study names it: the file and what is done to it before anything touches."""
+"""From an instrument's file to roughness, as a study describes the way."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Annotated
+from typing import NamedTuple
 
-from softlub.surfaces.filtering import Form, separate_form, separate_waviness, taper
-from softlub.surfaces.measured import Missing, read
+from softlub.surfaces.filtering import separate_form, separate_waviness, taper
+from softlub.surfaces.measured import read, read_profile
+from softlub.surfaces.measurement import Form, Measured, MeasuredLine
+from softlub.surfaces.profile import Profile
 from softlub.surfaces.topography import Topography
-from softlub.units import Length, Unit
 
-
-@dataclass(frozen=True)
-class Measured:
-    """A measured area and its way to roughness.
-
-    Parameters
-    ----------
-    file : str
-        The instrument's file.
-    channel : str or int, optional
-        Channel by name or number; the first one with heights otherwise.
-    unit : str, optional
-        Unit of lengths where the file states none.
-    missing : {"refuse", "fill"}
-        What to do with points that were not measured.
-    form : {"mean", "tilt", "curvature"}
-        What is taken off first, in the sense of least squares.
-    waviness_wavelength : float, optional
-        Cut-off of the Gaussian filter that takes the waviness off [m]; none without it.
-    tapered_fraction : float, optional
-        Share of the sides over which the heights fade to their mean, so that the surface may be continued
-        periodically; without it the surface stays as finite as it was measured.
-    """
-
-    file: str
-    channel: str | int | None = None
-    unit: str | None = None
-    missing: Missing = "refuse"
-    form: Form = "tilt"
-    waviness_wavelength: Length | None = None
-    tapered_fraction: Annotated[float, Unit("1", above=0, at_most=1)] | None = None
+__all__ = ["Measured", "PreparedLine", "prepare", "prepare_line", "separate_line"]
 
 
 def prepare(measured: Measured) -> Topography:
@@ -56,3 +26,45 @@ def prepare(measured: Measured) -> Topography:
     if measured.waviness_wavelength is not None:
         surface = separate_waviness(surface, measured.waviness_wavelength).kept
     return surface if measured.tapered_fraction is None else taper(surface, measured.tapered_fraction)
+
+
+class PreparedLine(NamedTuple):
+    """A line on its way to roughness (figure 4-1)."""
+
+    raw: Profile
+    """As it was measured."""
+    form: Profile
+    """What was taken off first."""
+    waviness: Profile | None
+    """What was taken off then; None where nothing was."""
+    roughness: Profile
+    """What is left."""
+
+
+def prepare_line(measured: MeasuredLine) -> PreparedLine:
+    """Read a measured line and take off what does not belong to its roughness.
+
+    Raises
+    ------
+    ValueError
+        As `read_profile`, `separate_form` and `separate_waviness` do.
+    """
+    raw = read_profile(measured.file, measured.channel, measured.unit, measured.missing)
+    return separate_line(raw, measured.form, measured.waviness_wavelength)
+
+
+def separate_line(raw: Profile, form: Form, waviness_wavelength: float | None) -> PreparedLine:
+    """Take form and waviness off a line.
+
+    Parameters
+    ----------
+    raw : Profile
+    form : {"mean", "tilt", "curvature"}
+    waviness_wavelength : float or None
+        Cut-off of the Gaussian filter [m].
+    """
+    without_form = separate_form(raw, form)
+    if waviness_wavelength is None:
+        return PreparedLine(raw, without_form.removed, None, without_form.kept)
+    separated = separate_waviness(without_form.kept, waviness_wavelength)
+    return PreparedLine(raw, without_form.removed, separated.removed, separated.kept)

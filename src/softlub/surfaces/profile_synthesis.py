@@ -8,7 +8,8 @@ import scipy.fft
 from softlub.surfaces.line_spectrum import line_density
 from softlub.surfaces.profile import Profile
 from softlub.surfaces.spectrum import SelfAffine
-from softlub.surfaces.synthesis import resolved_cutoff, uniform_phases
+from softlub.surfaces.synthesis import uniform_phases
+from softlub.surfaces.synthetic import resolved_cutoff
 
 
 def synthesize_profile(spectrum: SelfAffine, length: float, points: int, seed: int) -> Profile:

@@ -8,19 +8,15 @@ max(|m|, |n|) = k, so that two grids of one size and seed hold the same waves ho
 from __future__ import annotations
 
 import math
-from typing import Literal
 
 import numpy as np
 import scipy.fft
 from numpy.typing import NDArray
 
 from softlub.surfaces.spectrum import SelfAffine
+from softlub.surfaces.synthetic import Target, resolved_cutoff
 from softlub.surfaces.topography import Topography
 
-Target = Literal["rms_roughness", "rms_slope"]
-
-# Wavelengths are often quoted rounded, as 7.81e-7 m for two spacings of 3.90625e-7 m.
-NYQUIST_TOLERANCE = 1e-3
 # Waves that lie on a cut-off but for rounding count as lying on it.
 ROUNDING = 1e-9
 
@@ -125,18 +121,6 @@ def _grid(
             f"size {size} m and points {points} must be in proportion"
         )
     return sides, shape
-
-
-def resolved_cutoff(spectrum: SelfAffine, spacing: float) -> float:
-    """q_s as far as the grid resolves it [1/m]."""
-    nyquist = math.pi / spacing
-    if spectrum.cutoff > nyquist * (1 + NYQUIST_TOLERANCE):
-        raise ValueError(
-            f"cutoff {spectrum.cutoff:.6g} 1/m lies beyond the grid's Nyquist wavevector {nyquist:.6g} 1/m "
-            f"(spacing {spacing:.4g} m) by more than {NYQUIST_TOLERANCE:.1%}: "
-            "take more points, a smaller size or a lower cutoff"
-        )
-    return min(spectrum.cutoff, nyquist)
 
 
 def _phasors(

@@ -159,9 +159,27 @@ def scaled_curve(hurst: float, cutoff_ratio: float, plateau_ratio: float, gamma:
     ScaledCurve
     """
     quadrature = modes(hurst, cutoff_ratio, plateau_ratio)
+    return curve_of(quadrature, SMALLEST_PRESSURE * plateau_ratio, gamma)
+
+
+def curve_of(quadrature: Modes, smallest: float, gamma: float) -> ScaledCurve:
+    """Pressure over separation of any spectrum, in the units that its modes are given in.
+
+    Parameters
+    ----------
+    quadrature : Modes
+    smallest : float
+        Smallest scaled pressure; the tail is exponential there.
+    gamma : float
+        As in `scaled_curve`.
+
+    Returns
+    -------
+    ScaledCurve
+    """
     # The samples are even in ln p at light loads and in p near full contact, where u falls like exp(-p²):
     # argument = ln(1 + e^t).
-    lightest = np.log(np.expm1(SMALLEST_PRESSURE * plateau_ratio * quadrature.softest))
+    lightest = np.log(np.expm1(smallest * quadrature.softest))
     samples = int((LARGEST_ARGUMENT - lightest) / SAMPLE_SPACING) + 2
     parameter = np.linspace(lightest, LARGEST_ARGUMENT, samples)
     argument = np.log1p(np.exp(parameter))

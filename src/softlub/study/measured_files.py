@@ -1,0 +1,76 @@
+"""Instruments' files that a study names: found, hashed and tried out before any job starts."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+KINDS = ("measured", "measured_line")
+
+
+class MeasuredFile(NamedTuple):
+    """Where a file lies, and the hash of what it holds."""
+
+    path: Path
+    digest: str
+
+
+def find(written: str, folders: Sequence[Path]) -> MeasuredFile:
+    """The file that a study names: from the first of some folders that has it.
+
+    Raises
+    ------
+    ValueError
+        If none has it, or it cannot be opened.
+    """
+    for folder in folders:
+        path = folder / Path(written).expanduser()
+        if path.is_file():
+            try:
+                return MeasuredFile(path.resolve(), hashlib.sha256(path.read_bytes()).hexdigest())
+            except OSError as error:
+                raise ValueError(f"cannot be opened: {error.strerror}") from None
+    looked = " or ".join(str(folder) for folder in folders)
+    raise ValueError(f"no such file in {looked}")
+
+
+def try_out(surface: Mapping[str, Any], file: MeasuredFile) -> None:
+    """Read a measured surface or line and prepare it as the study says.
+
+    Parameters
+    ----------
+    surface : mapping
+        Canonical block of the kind ``measured`` or ``measured_line``.
+    file : MeasuredFile
+
+    Raises
+    ------
+    ValueError
+        With what the reader said.
+    """
+    options = {key: value for key, value in surface.items() if key not in ("kind", "file")}
+    complaint = _complaint(surface["kind"], file, json.dumps(options, sort_keys=True))
+    if complaint:
+        raise ValueError(complaint)
+
+
+@lru_cache(maxsize=64)
+def _complaint(kind: str, file: MeasuredFile, options: str) -> str:
+    """What is wrong with a file; empty where it can be used. A run reads its studies twice, the file once."""
+    # The readers take a second or two to load, and most studies name no file.
+    from softlub.surfaces.measurement import Measured, MeasuredLine
+    from softlub.surfaces.preparation import prepare, prepare_line
+
+    settings = {"file": str(file.path), **json.loads(options)}
+    try:
+        if kind == "measured":
+            prepare(Measured(**settings))
+        else:
+            prepare_line(MeasuredLine(**settings))
+    except (ValueError, OSError) as error:
+        return str(error)
+    return ""
