@@ -52,8 +52,9 @@ def test_every_verdict_is_one_of_the_words(without_data):
 
 
 def test_nothing_is_reproduced_from_missing_datasets(without_data):
-    """Without any dataset only closed forms may decide."""
-    decided = {j.claim.id for j in without_data if j.verdict.verdict == "reproduced"}
+    """Without any dataset only closed forms may decide; chapter 4's are in test_claims_chapter4."""
+    earlier = [j for j in without_data if j.claim.chapter <= 3]
+    decided = {j.claim.id for j in earlier if j.verdict.verdict == "reproduced"}
     assert decided == {"eq_3_16", "eq_3_33", "eq_3_36", "claim_3_03"}
 
 

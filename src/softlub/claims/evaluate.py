@@ -18,6 +18,14 @@ CHAPTERS = (
     "chapter3_modules",
     "chapter3_equations",
     "chapter3_elasticity",
+    "chapter4",
+    "chapter4_tables",
+    "chapter4_theory",
+    "chapter4_solver",
+    "chapter4_validation",
+    "chapter4_contact",
+    "chapter4_spectrum",
+    "chapter4_heights",
 )
 """Files of checks."""
 

@@ -74,7 +74,8 @@ def studies_of(figure: str, claims: Iterable[Claim]) -> tuple[str, ...]:
     -------
     tuple of str
     """
-    return tuple(dict.fromkeys(claim.study for claim in claims if figure in claim.figures and claim.study))
+    named = (claim.study.split(";") for claim in claims if figure in claim.figures)
+    return tuple(dict.fromkeys(name.strip() for names in named for name in names if name.strip()))
 
 
 COLUMNS = (

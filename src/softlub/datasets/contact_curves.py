@@ -29,6 +29,7 @@ INPUTS = (
     "rms_roughness",
     "rms_slope_spectral",
     "rms_slope_forward",
+    "rms_slope_central",
     "skewness",
     "kurtosis",
     "nayak_parameter",
@@ -149,12 +150,15 @@ def contact_curve(surface: xr.Dataset) -> ContactCurve:
     Parameters
     ----------
     surface : xarray.Dataset
-        One of `surfaces`, of a study of rough contact.
+        One of `surfaces`, of a study of rough contact, with `reduced_pressure` p/E*.
 
     Returns
     -------
     ContactCurve
     """
+    if "realisation" in surface[DESCRIBED_BY].dims:
+        # Surfaces made less often than others are filled up with NaN.
+        surface = surface.isel(realisation=np.flatnonzero(np.isfinite(surface[DESCRIBED_BY].values)))
     converged = np.asarray(_over_loads(surface["converged"]), dtype=bool)
     reduced = np.broadcast_to(_over_loads(surface["reduced_pressure"]), converged.shape)
     slope = surface["rms_slope_spectral"]

@@ -69,5 +69,5 @@ def draw(dataset: xr.Dataset, height: float = 2.8) -> DataFigure:
 
 def _tail(mean: dict[str, FloatArray], surface: xr.Dataset) -> FloatArray:
     """p/E* of the tail, from pascals."""
-    modulus = np.asarray(surface["pressure"] / surface["reduced_pressure"]).ravel()[0]
+    modulus = float(np.nanmedian(surface["pressure"] / surface["reduced_pressure"]))
     return mean["pressure_exponential"] / modulus

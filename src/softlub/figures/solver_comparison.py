@@ -16,10 +16,10 @@ from softlub.figures.quantities import FloatArray, quantity
 NAMES = {
     "conjugate_gradients": "ours",
     "polonsky_keer": "Polonsky–Keer",
-    "True": "periodic",
-    "False": "finite patch (DC-FFT)",
+    "periodic": "periodic",
+    "free": "finite patch (DC-FFT)",
 }
-"""How a solver or a value of another swept dimension reads in a legend."""
+"""How a solver or a boundary reads in a legend."""
 LOOKS: tuple[dict[str, Any], ...] = (
     {"color": style.BLUE, "linewidth": 2.4, "alpha": 0.5},
     {"color": style.VERMILION, "linestyle": "--"},
@@ -70,7 +70,8 @@ def draw(dataset: xr.Dataset, height: float = 3.1) -> DataFigure:
 
 def contact_name(labels: dict[str, str]) -> str:
     """A contact as a legend names it: ``"ours, finite patch (DC-FFT)"``."""
-    return ", ".join(NAMES.get(label, style.readable(label)) for label in labels.values()) or "contact"
+    first_words = [labels[name].split()[0] for name in sorted(labels, key=lambda name: name != "solver")]
+    return ", ".join(NAMES.get(word, word) for word in first_words) or "contact"
 
 
 def _draw_thresholds(panel: Panel, one: xr.Dataset) -> None:

@@ -93,17 +93,13 @@ def asked_spectrum(known: dict[str, float]) -> SelfAffine:
 def _draw_heights(panel: Panel, name: str, surface: xr.Dataset, colour: str) -> None:
     """The density of each realisation thin, with the mean kurtosis in the legend."""
     known = inputs(surface)
-    many = surface.sizes.get("realisation", 1)
-    for number in range(many):
+    legend = f"{name}: kurtosis {known['kurtosis']:.2f}, skewness {style.signed(known['skewness'])}"
+    for number in range(surface.sizes.get("realisation", 1)):
         one = surface.isel(realisation=number) if "realisation" in surface.dims else surface
-        scale = float(one["rms_roughness"])
-        legend = f"{name}: kurtosis {known['kurtosis']:.2f}, skewness {style.signed(known['skewness'])}"
-        series = f"{name}, realisation {number + 1}" if many > 1 else name
-        panel.line(
-            series,
-            one["height_bin"].values / scale,
-            one["height_density"].values * scale,
-            legend if number == 0 else "",
-            color=colour,
-            linewidth=0.9,
-        )
+        density, scale = one["height_density"].values, float(one["rms_roughness"])
+        inside = np.isfinite(density)
+        if inside.any():
+            heights = one["height_bin"].values[inside] / scale
+            series = f"{name}, realisation {number + 1}"
+            panel.line(series, heights, density[inside] * scale, legend, color=colour, linewidth=0.9)
+            legend = ""

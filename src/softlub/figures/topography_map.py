@@ -33,7 +33,8 @@ def draw(dataset: xr.Dataset, height: float = 2.9) -> DataFigure:
         meaning = quantity("height", values, label="height z", unit="m")
         surface = draw_map(figure, left, "a", dataset["x"].values, dataset["y"].values, values, meaning)
         surface.letter("a")
-        bins = dataset["height_bin"].values
+        inside = np.isfinite(dataset["height_density"].values)
+        bins = dataset["height_bin"].values[inside]
         panel = Panel(
             right,
             quantity("height", bins, label="height z", unit="m"),
@@ -41,7 +42,9 @@ def draw(dataset: xr.Dataset, height: float = 2.9) -> DataFigure:
             "b",
         )
         panel.letter("b")
-        panel.line("surface", bins, dataset["height_density"].values, color=style.BLUE, drawstyle="steps-mid")
+        panel.line(
+            "surface", bins, dataset["height_density"].values[inside], color=style.BLUE, drawstyle="steps-mid"
+        )
         gauss = np.exp(-((bins / rms) ** 2) / 2) / (np.sqrt(2 * np.pi) * rms)
         panel.line("Gauss", bins, gauss, color=style.VERMILION, linestyle="--")
         panel.axes.set_title(
