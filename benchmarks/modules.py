@@ -26,7 +26,7 @@ NODES = (257, 1025)
 SPEEDS = (1e-5, 1e-4, 1.5e-3, 5e-3, 0.03, 0.12, 0.5, 1.0, 3.0)
 PLAIN_NODES = 257
 """Plain relaxation is tried on this grid, where 20,000 sweeps take some seconds."""
-PLAIN_SECONDS = 10.0
+PLAIN_SECONDS = 5.0
 """CPU time after which a point with plain relaxation is given up [s]."""
 MODULES = {
     "BML": (BML(), 0.0, 0.03),

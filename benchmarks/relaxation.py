@@ -21,7 +21,7 @@ from softlub.lubrication.solvers.mehl import MEHL
 from softlub.lubrication.solvers.modules.relaxation import BoundaryFactors, FilmFactors, MixedFactors
 
 NODES = 257
-SECONDS = 4.0
+SECONDS = 3.0
 """CPU time after which a point is given up [s]."""
 MEMORIES = {"plain relaxation": 0, "accelerated": 20}
 FILM_FACTORS = (0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
