@@ -101,6 +101,7 @@ VARIABLES: dict[str, Variable] = {
     "convolutions": Variable("1", "pairs of transforms of the whole grid"),
     "deflection": Variable("m", "deflection of the half-space", "4-25"),
     "deflection_hertz": Variable("m", "deflection of the half-space, closed form"),
+    "contact_radius": Variable("m", "radius of the contact of a sphere", "2-3"),
     "seconds": Variable("s", "CPU time of a method"),
     # inputs of each curve
     "viscosity": Variable("Pa s", "viscosity of the lubricant"),

@@ -9,12 +9,12 @@ from softlub.study.blocks import Names
 from softlub.study.contact_grid import default_contact_solver
 from softlub.study.grid import SWEPT
 from softlub.study.labels import labels
-from softlub.study.models import RoughContactFile, StudyFile, SurfaceFile
+from softlub.study.models import DeflectionFile, RoughContactFile, StudyFile, SurfaceFile
 from softlub.study.outputs import SCALARS
 from softlub.study.parsed import Pressures, Range, Sample, StandIn, Study, Sweep
 from softlub.study.solvers import default_solver
 
-AnyFile = StudyFile | RoughContactFile | SurfaceFile
+AnyFile = StudyFile | RoughContactFile | SurfaceFile | DeflectionFile
 
 
 def assembled(
@@ -68,7 +68,7 @@ def assembled(
 
 
 def _solvers(file: AnyFile) -> list[Any]:
-    if isinstance(file, SurfaceFile):
+    if isinstance(file, (SurfaceFile, DeflectionFile)):
         return []
     default = default_solver if isinstance(file, StudyFile) else default_contact_solver
     return list(file.grid.solver or [file.solver or default()])
@@ -85,6 +85,8 @@ def _own_part(file: AnyFile, ranges: Mapping[str, Range]) -> dict[str, Any]:
             "sample": drawn and Sample(drawn.points, drawn.seed, dict(sorted(ranges.items()))),
             "outputs": tuple(file.outputs or SCALARS),
         }
+    if isinstance(file, DeflectionFile):
+        return {"outputs": (), "deflection": {"force": file.grid.force, "points": file.grid.points}}
     own: dict[str, Any] = {"outputs": tuple(file.outputs or ())}
     if isinstance(file, RoughContactFile):
         for over, values in (("slope", file.grid.normalised_pressure), ("pascal", file.grid.pressure)):

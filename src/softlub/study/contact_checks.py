@@ -86,11 +86,15 @@ def _memory_problems(piece: Surface | None, periodic: bool) -> Iterator[Problem]
         return
     points = piece["points"]
     needed = estimated_bytes((points, points), periodic)
-    # All that the machine has: what is free now may be another amount when the job runs, which looks again.
-    there = float(os.sysconf("SC_PHYS_PAGES")) * float(os.sysconf("SC_PAGE_SIZE"))
+    there = machine_memory()
     if needed > there:
         yield Problem(
             "scene.surface.points",
             f"needs about {needed / 1e9:.1f} GB, and this machine has {there / 1e9:.1f} GB; take fewer points",
             str(points),
         )
+
+
+def machine_memory() -> float:
+    """All that the machine has [bytes]: what is free is another amount when the job runs, which looks again."""
+    return float(os.sysconf("SC_PHYS_PAGES")) * float(os.sysconf("SC_PAGE_SIZE"))

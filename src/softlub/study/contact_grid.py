@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, model_validator
 
 from softlub.study import parts
 from softlub.study.base import StudyModel
-from softlub.study.fields import Tagged
+from softlub.study.fields import Quantity, Tagged
 from softlub.study.grid import SWEPT_SCHEMA
 from softlub.study.parts import PartModel
 from softlub.study.ranges import Values
@@ -44,6 +44,21 @@ class SurfaceGrid(StudyModel):
 
     model_config = ConfigDict(json_schema_extra=SWEPT_SCHEMA)
     further_keys: ClassVar[str] = "any field of the scene as scene.…"
+
+
+class DeflectionGrid(StudyModel):
+    """Force on a sphere, and the grid that its deflection is computed on."""
+
+    force: Annotated[float, Quantity(Unit("N", above=0))]
+    points: Annotated[int, Quantity(Unit("1", at_least=3, at_most=1025), whole=True)] = 129
+
+    @model_validator(mode="after")
+    def _a_point_lies_on_the_axis(self) -> DeflectionGrid:
+        if self.points % 2 == 0:
+            raise ValueError(
+                f"points {self.points} is even, and no point would lie on the axis; take an odd number"
+            )
+        return self
 
 
 class ContactGrid(SurfaceGrid):

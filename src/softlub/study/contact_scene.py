@@ -46,6 +46,26 @@ class ContactScene(StudyModel):
         }
 
 
+class RoundBody(StudyModel):
+    """An elastic sphere."""
+
+    shape: Annotated[Any, Tagged("kind", parts.models_of(parts.ROUND_SHAPES))]
+    material: Material
+
+
+class DeflectionScene(StudyModel):
+    """A sphere pressed on a smooth plate."""
+
+    body: RoundBody
+
+    def canonical(self) -> dict[str, Any]:
+        """The scene in SI with every default filled in."""
+        return {
+            "body": {"shape": self.body.shape.model_dump(), "material": self.body.material.model_dump()},
+            "surface": None,
+        }
+
+
 class SurfaceScene(StudyModel):
     """A surface, a line, or one of each."""
 

@@ -8,8 +8,8 @@ from pydantic import Field, model_validator
 
 from softlub.study.accuracy import ACCURACIES
 from softlub.study.base import StudyModel
-from softlub.study.contact_grid import ContactGrid, ContactSolver, SurfaceGrid
-from softlub.study.contact_scene import ContactScene, SurfaceScene
+from softlub.study.contact_grid import ContactGrid, ContactSolver, DeflectionGrid, SurfaceGrid
+from softlub.study.contact_scene import ContactScene, DeflectionScene, SurfaceScene
 from softlub.study.fields import Choice, Words
 from softlub.study.figures import FigureEntry
 from softlub.study.grid import Grid
@@ -19,7 +19,7 @@ from softlub.study.scene import Scene
 from softlub.study.solvers import Solver
 from softlub.units import Unit
 
-KINDS = ("stribeck", "rough_contact", "surface")
+KINDS = ("stribeck", "rough_contact", "surface", "deflection")
 _UNBUILT_KINDS = {
     "solid": "finite elements are not there yet",
     "equivalence": "finite elements are not there yet",
@@ -90,10 +90,23 @@ class SurfaceFile(CommonFile):
     outputs: Annotated[tuple[str, ...], Words(tuple(SURFACE_OUTPUTS))] | None = None
 
 
+class DeflectionFile(CommonFile):
+    """A study of the half-space's deflection under a sphere, by several methods."""
+
+    scene: DeflectionScene
+    grid: DeflectionGrid
+
+
 FILES: dict[str, Any] = {
     "stribeck": StudyFile,
     "rough_contact": RoughContactFile,
     "surface": SurfaceFile,
+    "deflection": DeflectionFile,
 }
-SCENES: dict[str, Any] = {"stribeck": Scene, "rough_contact": ContactScene, "surface": SurfaceScene}
+SCENES: dict[str, Any] = {
+    "stribeck": Scene,
+    "rough_contact": ContactScene,
+    "surface": SurfaceScene,
+    "deflection": DeflectionScene,
+}
 """Model of a file and of its scene, by the kind of study."""

@@ -87,13 +87,8 @@ class Study:
     title : str
     scene : dict
         Canonical scene [SI]; a swept field holds its first value.
-    shear_strength : dict
-        ``{modulus_fraction}``, ``{value}`` or ``{table}``.
-    loads, speeds : tuple of float
-        [N/m], [m/s]; no loads where the sample draws them.
     sweeps : tuple of Sweep
         In the order of their paths.
-    sample : Sample or None
     solvers : tuple
         One or more solver entries; a dataset of several has the dimension `solver`.
     solver_labels : tuple of str
@@ -103,11 +98,18 @@ class Study:
     figures : tuple of Figure
     stand_ins : tuple of StandIn
     kind : str
-        What loads, speeds and shear strength stand in only where it is ``stribeck``.
+        What follows is there for some kinds of studies only.
+    shear_strength : dict
+        ``{modulus_fraction}``, ``{value}`` or ``{table}``.
+    loads, speeds : tuple of float
+        [N/m], [m/s]; no loads where the sample draws them.
+    sample : Sample or None
     pressures : Pressures or None
         Of a rough contact; None leaves them to the accuracy.
     gap_thresholds : tuple of float
         Gaps below which a point counts as touching, for comparison [m].
+    deflection : mapping
+        ``force`` [N] and ``points`` of a study of that kind.
     files : mapping
         Instruments' files by the name that the study gives them.
     """
@@ -129,6 +131,7 @@ class Study:
     sample: Sample | None = None
     pressures: Pressures | None = None
     gap_thresholds: tuple[float, ...] = ()
+    deflection: Mapping[str, Any] = field(default_factory=dict, hash=False)
     files: Mapping[str, MeasuredFile] = field(default_factory=dict, hash=False)
 
     @property

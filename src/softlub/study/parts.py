@@ -14,6 +14,7 @@ from pydantic import create_model, model_validator
 from softlub.lubrication.film import Lubricant
 from softlub.solid.materials.linear_elastic import LinearElastic
 from softlub.solid.shapes.cylinder import Cylinder
+from softlub.solid.shapes.sphere import Sphere
 from softlub.study import options
 from softlub.study.base import StudyModel
 from softlub.study.fields import Choice, Quantity, Text
@@ -23,6 +24,7 @@ from softlub.surfaces.synthetic import Synthetic, SyntheticLine
 from softlub.units import Unit
 
 SHAPES: dict[str, type] = {"cylinder": Cylinder}
+ROUND_SHAPES: dict[str, type] = {"sphere": Sphere}
 MATERIALS: dict[str, type] = {"linear_elastic": LinearElastic}
 SURFACES: dict[str, type] = {"self_affine": Synthetic, "measured": Measured, "smooth": Smooth}
 LINES: dict[str, type] = {"self_affine_line": SyntheticLine, "measured_line": MeasuredLine}

@@ -9,7 +9,7 @@ from typing import Any
 from softlub.study import paths
 from softlub.study.accuracy import PRESETS
 from softlub.study.combinations import scenes_of
-from softlub.study.contact_planning import contact_nodes, panel_laws
+from softlub.study.contact_planning import contact_nodes, modulus, panel_laws
 from softlub.study.drawings import DRAWINGS
 from softlub.study.nodes import Node, Plan, make_node
 from softlub.study.outputs import SCALARS, left_out
@@ -34,7 +34,7 @@ def plan(study: Study) -> Plan:
     Plan
         Laws and panels, or topographies, the study that joins them, its figures.
     """
-    nodes = _lubricated_nodes(study) if study.kind == "stribeck" else contact_nodes(study)
+    nodes = NODES[study.kind](study)
     joined = nodes[-1]
     figures = [
         make_node(
@@ -68,6 +68,29 @@ def _lubricated_nodes(study: Study) -> list[Node]:
     laws, index = panel_laws(study, list(scenes_of(study)))
     panels, labels = _panels(study, laws, index)
     return [*laws, *panels, _study_node(study, panels, labels)]
+
+
+def _deflection_nodes(study: Study) -> list[Node]:
+    """The study itself, whose job is too small to be cut."""
+    body = study.scene["body"]
+    spec = {
+        "stage": "deflection_study",
+        "revision": REVISIONS["study"],
+        "radius": body["shape"]["radius"],
+        "modulus": modulus(study.scene),
+        **study.deflection,
+        **stamp(study, {"scene": plain(study.scene), **study.deflection}),
+    }
+    return [make_node("study", study.name.lower(), spec, name=study.name)]
+
+
+NODES = {
+    "stribeck": _lubricated_nodes,
+    "rough_contact": contact_nodes,
+    "surface": contact_nodes,
+    "deflection": _deflection_nodes,
+}
+"""What plans each kind of study; its last node is the study itself."""
 
 
 def _panels(study: Study, laws: list[Node], law_index: list[int | None]) -> tuple[list[Node], list[str]]:

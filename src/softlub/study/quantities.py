@@ -21,6 +21,7 @@ _NOT_FINITE = re.compile(r"[+-]?\.?(?:nan|inf|infinity)\b", re.IGNORECASE)
 DIMENSIONS = {
     "m": ("a length", "10 mm"),
     "Pa": ("a pressure", "10 MPa"),
+    "N": ("a force", "1.3 N"),
     "N/m": ("a load per length", "100 N/m"),
     "m/s": ("a speed", "1.5 mm/s"),
     "Pa s": ("a viscosity", "0.1 Pa s"),

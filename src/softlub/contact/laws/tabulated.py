@@ -16,7 +16,7 @@ from softlub.pressure_table import FloatArray, PressureTable, tabulate
 CLOSED_SEPARATION = 1e-3
 """u/h_rms below which the sweep's gap is too close to its error to be followed; Persson's curve goes on from there."""
 DEEPEST_SEPARATION = 1e-5
-"""u/h_rms down to which the table follows that curve."""
+"""u/h_rms down to which the table follows that curve at least."""
 HARDENING_DEPTH = 1e-3
 """The table goes on below the deepest separation by this factor, as a hyperbola."""
 REACH = 12.0
@@ -201,7 +201,7 @@ class TabulatedLaw:
         open_gap = np.flatnonzero(self.curve.separation > CLOSED_SEPARATION)[::-1]
         swept, load = self.curve.separation[open_gap], self.curve.pressure[open_gap]
         # From half the last open gap on, so that the two meet without a knot on top of another.
-        deeper = (self.closing.separation < swept[0] / 2) & (self.closing.separation > DEEPEST_SEPARATION)
+        deeper = (self.closing.separation < swept[0] / 2) & (self.closing.separation > DEEPEST_SEPARATION / 2)
         joined = float(self.closing.at(swept[:1])[0][0])
         separation = np.concatenate([self.closing.separation[deeper], swept])
         pressure = np.concatenate([self.closing.pressure[deeper] * load[0] / joined, load])
