@@ -127,7 +127,8 @@ def test_elements_tile_the_inlet_and_hold_the_rupture(
         np.exp(log_speed),
         np.exp(log_roughness),
         layer,
-        np.array([-half_domain, end]),
+        -half_domain,
+        end,
     )
     assert np.all(np.diff(breaks) > 0)
     assert breaks[0] == -half_domain

@@ -10,6 +10,7 @@ import numpy as np
 from numba import njit
 
 from softlub.lubrication.solvers.spectral.basis import FloatArray
+from softlub.lubrication.solvers.spectral.vectors import reverse
 
 INLET_GROWTH = 5.5
 CONTACT_GROWTH = 3.4
@@ -39,7 +40,8 @@ def element_breaks(
     speed_number: float,
     roughness: float,
     layer: float,
-    ends: FloatArray,
+    start: float,
+    end: float,
 ) -> tuple[FloatArray, int]:
     """Ends of the elements from the inlet to where the solid pressure has died out.
 
@@ -57,7 +59,7 @@ def element_breaks(
         s_h = h_rms R/a².
     layer : float
         Width of the layer before the rupture.
-    ends : ndarray, shape (2,)
+    start, end : float
         -L, and where the solid pressure has died out (b or less: no outlet elements).
 
     Returns
@@ -72,7 +74,7 @@ def element_breaks(
         scale = min(edge_scale(film_min, speed_number, roughness) ** (2 / 3), 0.6)
         inside = rupture < 1 - scale
         count = _hertzian_inlet(
-            found, rupture, scale, max(scale, min(layer, 0.6)) if inside else scale, ends[0]
+            found, rupture, scale, max(scale, min(layer, 0.6)) if inside else scale, start
         )
         inlet = count - 1
         if inside:
@@ -81,12 +83,12 @@ def element_breaks(
         outlet, growth = max(1 + scale - rupture, 0.3 * scale), INLET_GROWTH
     else:
         # A film so thick that the domain starves it has the domain's scale.
-        scale = min(0.6 * np.sqrt(2 * max(approach, 0.7 * roughness) + 1), 0.25 * (rupture - ends[0]))
-        count = _film_inlet(found, rupture, scale, ends[0])
+        scale = min(0.6 * np.sqrt(2 * max(approach, 0.7 * roughness) + 1), 0.25 * (rupture - start))
+        count = _film_inlet(found, rupture, scale, start)
         inlet = count - 1
         outlet, growth = scale, FILM_GROWTH
-    while found[count - 1] < ends[1]:
-        found[count] = min(rupture + outlet, -ends[0])
+    while found[count - 1] < end:
+        found[count] = min(rupture + outlet, -start)
         outlet *= growth
         count += 1
     return found[:count].copy(), inlet
@@ -102,7 +104,7 @@ def _film_inlet(found: FloatArray, rupture: float, scale: float, start: float) -
         found[count] = rupture - distance
         distance *= FILM_GROWTH
         count += 1
-    found[1:count] = found[1:count][::-1].copy()
+    reverse(found, 1, count)
     found[count] = rupture
     return count + 1
 
@@ -117,7 +119,7 @@ def _dry_exit(found: FloatArray, count: int, scale: float) -> int:
         found[count] = 1 - distance
         distance *= CONTACT_GROWTH
         count += 1
-    found[first:count] = found[first:count][::-1].copy()
+    reverse(found, first, count)
     return count
 
 
@@ -131,7 +133,7 @@ def _hertzian_inlet(found: FloatArray, rupture: float, scale: float, layer: floa
         found[count] = -1 - distance
         distance *= INLET_GROWTH
         count += 1
-    found[1:count] = found[1:count][::-1].copy()
+    reverse(found, 1, count)
     # From both ends inwards, the finer side first, as long as what is left makes an element of its own.
     left, right = scale, 0.9 * layer
     last = found.size

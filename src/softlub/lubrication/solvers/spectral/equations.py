@@ -21,6 +21,7 @@ import numpy as np
 from numba import njit
 
 from softlub.lubrication.solvers.spectral.basis import FloatArray
+from softlub.lubrication.solvers.spectral.vectors import copy_into, inner
 from softlub.pressure_table import pressure_and_slope
 
 # In deep contact round-off in H is multiplied by dp_s/dH, which rows are therefore allowed to miss by.
@@ -115,15 +116,6 @@ def make_fields(nodes: int) -> Fields:
         np.zeros(nodes + 2),
         np.ones(nodes + 2),
     )
-
-
-@njit(cache=True, fastmath={"contract", "reassoc", "nsz"})
-def inner(a: FloatArray, b: FloatArray) -> float:
-    """Scalar product."""
-    total = 0.0
-    for i in range(a.size):
-        total += a[i] * b[i]
-    return total
 
 
 @njit(cache=True)
@@ -252,7 +244,7 @@ def jacobian(
         for j in range(n + 2):
             row[j] = -fields.solid_slope[i] * derivative[i, j]
         row[i] += 1.0
-    matrix[n] = matrix[last]
+    copy_into(matrix[n], matrix[last])
     for e in range(grid.inlet - 1, -1, -1):
         first = e * order
         half = 0.5 * (grid.breaks[e + 1] - grid.breaks[e]) * speed_number

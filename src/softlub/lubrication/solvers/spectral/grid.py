@@ -8,6 +8,7 @@ from numba import njit
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
 from softlub.lubrication.solvers.spectral.equations import Grid
 from softlub.lubrication.solvers.spectral.kernel import log_kernel
+from softlub.lubrication.solvers.spectral.vectors import copy_into, fill
 
 
 @njit(cache=True)
@@ -36,7 +37,7 @@ def interpolation_weights(local: float, basis: Basis, weights: FloatArray) -> No
     for j in range(weights.size):
         distance = local - basis.nodes[j]
         if abs(distance) < 1e-15:
-            weights[:] = 0.0
+            fill(weights, 0.0)
             weights[j] = 1.0
             return
         weights[j] = basis.barycentric[j] / distance
@@ -76,5 +77,6 @@ def transfer(states: FloatArray, old: Grid, new: Grid, half_domain: float, basis
         for k in range(states.shape[0]):
             for j in range(order + 1):
                 moved[k, i] += weights[j] * states[k, e * order + j]
-    moved[:, m:] = states[:, n:]
+    for k in range(states.shape[0]):
+        copy_into(moved[k, m:], states[k, n:])
     return moved

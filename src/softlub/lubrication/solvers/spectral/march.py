@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
 from softlub.lubrication.solvers.spectral.equations import Fields, Grid, Scene, make_fields, separation
 from softlub.lubrication.solvers.spectral.grid import transfer
 from softlub.lubrication.solvers.spectral.newton import make_workspace, newton
 from softlub.lubrication.solvers.spectral.outcome import RESIDUAL, STEPS, Outcome, record, smallest_gap
-from softlub.lubrication.solvers.spectral.remesh import Mesh, make_mesh, outlet_end, rupture_layer, serves
+from softlub.lubrication.solvers.spectral.remesh import make_mesh, outlet_end, rupture_layer, serves
 from softlub.lubrication.solvers.spectral.start import martin_start
+from softlub.lubrication.solvers.spectral.vectors import copy_into, fill, lowest
 
 MAX_LOG_STEP = 0.9
 MIN_LOG_STEP = 0.9 / 64
@@ -36,7 +38,7 @@ REACH = 1.3
 @njit(cache=True)
 def predict(logs: FloatArray, states: FloatArray, count: int, log_speed: float, state: FloatArray) -> None:
     """Polynomial through the last `count` solutions (the newest first) at another speed."""
-    state[:] = 0.0
+    fill(state, 0.0)
     for k in range(count):
         factor = 1.0
         for m in range(count):
@@ -51,16 +53,16 @@ def push(logs: FloatArray, states: FloatArray, log_speed: float, state: FloatArr
     """Put a solution at the head of the history."""
     for k in range(logs.size - 1, 0, -1):
         logs[k] = logs[k - 1]
-        states[k] = states[k - 1]
+        copy_into(states[k], states[k - 1])
     logs[0] = log_speed
-    states[0] = state
+    copy_into(states[0], state)
 
 
 @njit(cache=True)
 def open_gap(state: FloatArray, grid: Grid, scene: Scene, fields: Fields, allowed: float) -> float:
     """Lift the body of a predicted state where its gap would be below `allowed`; return the gap at the last node."""
     separation(state, grid, scene.half_domain, grid.nodes, grid.kernel, fields.gap, fields.gap_by_rupture)
-    lift = max(allowed - np.min(fields.gap), 0.0)
+    lift = max(allowed - fields.gap[lowest(fields.gap)], 0.0)
     state[-2] += lift
     return fields.gap[-1] + lift
 
@@ -68,9 +70,8 @@ def open_gap(state: FloatArray, grid: Grid, scene: Scene, fields: Fields, allowe
 @njit(cache=True)
 def leg(
     targets: FloatArray,
-    rows: FloatArray,
-    mesh: Mesh,
-    state: FloatArray,
+    rows: NDArray[np.int64],
+    first_log: float,
     scene: Scene,
     basis: Basis,
     gauss: FloatArray,
@@ -78,15 +79,15 @@ def leg(
     tolerance: float,
     outcome: Outcome,
 ) -> bool:
-    """March from a first iterate through monotone targets of ln λ, recording each; False if the start fails.
+    """March from a thick film through monotone targets of ln λ, recording each; False if the start fails.
 
-    The first solution is that of the mesh's own speed. A step that fails is tried again from the state before
-    instead of an extrapolation, then halved; below the smallest step the march ends and what lies beyond stays
-    unrecorded.
+    A step that fails is tried again from the state before instead of an extrapolation, then halved; below the
+    smallest step the march ends and what lies beyond stays unrecorded.
     """
+    mesh, state = martin_start(first_log, scene, basis, gauss, dead_gap)
     fields, work = make_fields(mesh.grid.nodes.size), make_workspace(mesh.grid.nodes.size)
     states, logs = np.zeros((HISTORY, state.size)), np.zeros(HISTORY)
-    states[0], logs[0] = state, mesh.log_speed
+    push(logs, states, first_log, state)
     known, use, index, largest = 0, HISTORY, 0, MAX_LOG_STEP
     film_min, layer = mesh.film_min, 1.0
     while index < targets.size:
@@ -125,14 +126,13 @@ def leg(
         push(logs, states, log_speed, state)
         known, use, largest = min(known + 1, HISTORY), HISTORY, min(MAX_LOG_STEP, 1.5 * largest)
         while index < targets.size and abs(log_speed - targets[index]) < 1e-12:
-            row = int(rows[index])
+            row = rows[index]
             record(row, state, speed_number, mesh, scene, basis, fields, outcome)
             outcome.numbers[row, STEPS], outcome.numbers[row, RESIDUAL] = count, residual
             index += 1
     return True
 
 
-@njit(cache=True)
 def march(
     log_speeds: FloatArray,
     scene: Scene,
@@ -142,19 +142,15 @@ def march(
     tolerance: float,
     outcome: Outcome,
 ) -> None:
-    """Solve all ascending ln λ, from a thick film both ways."""
-    rows = np.arange(log_speeds.size).astype(np.float64)
-    start = np.log(max(START_SPEED_NUMBER, START_OVER_ROUGHNESS * scene.roughness))
-    for upwards in range(2):
-        first_log = start
-        below = np.searchsorted(log_speeds, start)
-        targets, target_rows = log_speeds[below:].copy(), rows[below:].copy()
-        if upwards == 0:
-            targets, target_rows = log_speeds[:below][::-1].copy(), rows[:below][::-1].copy()
-        if targets.size == 0:
-            continue
-        for _ in range(STARTS):
-            mesh, state = martin_start(first_log, scene, basis, gauss, dead_gap)
-            if leg(targets, target_rows, mesh, state, scene, basis, gauss, dead_gap, tolerance, outcome):
+    """Solve all ascending ln λ, from a thick film both ways, into the rows of `outcome`."""
+    first = float(np.log(max(START_SPEED_NUMBER, START_OVER_ROUGHNESS * scene.roughness)))
+    rows = np.arange(log_speeds.size)
+    below = int(np.searchsorted(log_speeds, first))
+    for targets, target_rows in (
+        (log_speeds[:below][::-1].copy(), rows[:below][::-1].copy()),
+        (log_speeds[below:].copy(), rows[below:].copy()),
+    ):
+        for trial in range(STARTS if targets.size else 0):
+            start = first + trial * np.log(3.0)
+            if leg(targets, target_rows, start, scene, basis, gauss, dead_gap, tolerance, outcome):
                 break
-            first_log += np.log(3.0)

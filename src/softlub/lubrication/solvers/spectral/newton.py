@@ -15,10 +15,10 @@ from softlub.lubrication.solvers.spectral.equations import (
     Scene,
     evaluate,
     gap_derivative,
-    inner,
     jacobian,
 )
 from softlub.lubrication.solvers.spectral.linear import factorise, substitute
+from softlub.lubrication.solvers.spectral.vectors import copy_into, inner
 
 MAX_STEPS = 30
 MAX_FACTORS = 12
@@ -86,7 +86,7 @@ def newton(
                 work.derivative,
                 work.matrix,
             )
-            work.scale[:] = fields.scale
+            copy_into(work.scale, fields.scale)
             if not factorise(work.matrix, work.pivots):
                 return count, np.inf
         for i in range(size):
@@ -107,7 +107,7 @@ def newton(
             # Round-off: the factor is good and still nothing is gained.
             evaluate(state, speed_number, grid, scene, integration, fields)
             return count + 1, before
-        state[:] = work.trial
+        copy_into(state, work.trial)
         factored = share == 1.0 and residual < CHORD_RESIDUAL and residual < CHORD_GAIN * before
     return MAX_STEPS, residual
 

@@ -12,6 +12,7 @@ from softlub.lubrication.solvers.spectral.equations import Fields, Grid, Scene, 
 from softlub.lubrication.solvers.spectral.grid import element_of, interpolation_weights
 from softlub.lubrication.solvers.spectral.remainder import END_POINTS, end_correction
 from softlub.lubrication.solvers.spectral.remesh import Mesh
+from softlub.lubrication.solvers.spectral.vectors import fill, lowest
 
 # Columns of `Outcome.fields` and of `Outcome.numbers`.
 POSITION, WEIGHT, FLUID, SOLID, GAP, GRADIENT = range(6)
@@ -34,37 +35,13 @@ class Outcome(NamedTuple):
 
 
 @njit(cache=True)
-def record(
-    row: int,
-    state: FloatArray,
-    speed_number: float,
-    mesh: Mesh,
-    scene: Scene,
-    basis: Basis,
-    fields: Fields,
-    outcome: Outcome,
-) -> None:
-    """Write one solution; `fields` holds its last evaluation."""
+def _write_remainder(out: FloatArray, state: FloatArray, mesh: Mesh, length: float) -> int:
+    """Write the film beyond the elements, where there is no pressure; return the number of points so far."""
     grid, remainder = mesh.grid, mesh.remainder
     n, far = grid.nodes.size, remainder.nodes.size
-    order = basis.nodes.size - 1
-    last = grid.inlet * order
-    out = outcome.fields[:, row]
-    length = scene.half_domain
     stretch = (state[n + 1] + length) / (grid.rupture + length)
-    load = 0.0
-    lowest = 0.0
-    for i in range(n):
-        out[POSITION, i] = stretch * (grid.nodes[i] + length) - length
-        out[WEIGHT, i] = stretch * grid.weights[i]
-        inside = 0 < i < last
-        out[FLUID, i] = state[i] - fields.solid[i] if inside else 0.0
-        out[SOLID, i] = fields.solid[i] if inside else state[i]
-        out[GAP, i] = fields.gap[i]
-        out[GRADIENT, i] = speed_number * fields.flow[i] if i <= last else 0.0
-        load += out[WEIGHT, i] * (out[FLUID, i] + out[SOLID, i])
-        lowest = min(lowest, out[FLUID, i])
-    out[:, n : n + far + END_POINTS] = 0.0
+    for column in (FLUID, SOLID, GRADIENT):
+        fill(out[column, n : n + far + END_POINTS], 0.0)
     for i in range(far):
         out[POSITION, n + i] = stretch * (remainder.nodes[i] + length) - length
         out[WEIGHT, n + i] = stretch * remainder.weights[i]
@@ -77,7 +54,7 @@ def record(
         out[GAP, n : n + far],
         out[GRADIENT, n : n + far],
     )
-    out[GRADIENT, n : n + far] = 0.0
+    fill(out[GRADIENT, n : n + far], 0.0)
     stop = n + far + END_POINTS
     end_correction(
         state,
@@ -87,6 +64,41 @@ def record(
         out[WEIGHT, n + far : stop],
         out[GAP, n + far : stop],
     )
+    return stop
+
+
+@njit(cache=True)
+def record(
+    row: int,
+    state: FloatArray,
+    speed_number: float,
+    mesh: Mesh,
+    scene: Scene,
+    basis: Basis,
+    fields: Fields,
+    outcome: Outcome,
+) -> None:
+    """Write one solution; `fields` holds its last evaluation."""
+    grid = mesh.grid
+    n = grid.nodes.size
+    order = basis.nodes.size - 1
+    last = grid.inlet * order
+    out = outcome.fields[:, row]
+    length = scene.half_domain
+    stretch = (state[n + 1] + length) / (grid.rupture + length)
+    load = 0.0
+    least = 0.0
+    for i in range(n):
+        out[POSITION, i] = stretch * (grid.nodes[i] + length) - length
+        out[WEIGHT, i] = stretch * grid.weights[i]
+        inside = 0 < i < last
+        out[FLUID, i] = state[i] - fields.solid[i] if inside else 0.0
+        out[SOLID, i] = fields.solid[i] if inside else state[i]
+        out[GAP, i] = fields.gap[i]
+        out[GRADIENT, i] = speed_number * fields.flow[i] if i <= last else 0.0
+        load += out[WEIGHT, i] * (out[FLUID, i] + out[SOLID, i])
+        least = min(least, out[FLUID, i])
+    stop = _write_remainder(out, state, mesh, length)
     numbers = outcome.numbers[row]
     numbers[COUNT] = stop
     numbers[APPROACH] = state[n]
@@ -94,7 +106,7 @@ def record(
     numbers[GAP_CENTRAL] = central_gap(stretch, grid, length, fields.gap, basis)
     numbers[RUPTURE] = state[n + 1]
     numbers[LOAD_ERROR] = abs(load / (0.5 * np.pi) - 1.0)
-    numbers[FLUID_MIN] = lowest
+    numbers[FLUID_MIN] = least
 
 
 @njit(cache=True)
@@ -122,17 +134,17 @@ def central_gap(stretch: float, grid: Grid, half_domain: float, gap: FloatArray,
 def smallest_gap(gap: FloatArray, basis: Basis) -> float:
     """Minimum of the polynomials around the lowest node."""
     order = basis.nodes.size - 1
-    lowest = int(np.argmin(gap))
-    best = gap[lowest]
+    node = lowest(gap)
+    best = gap[node]
     slope = np.empty(order + 1)
     weights = np.empty(order + 1)
-    for e in range(max((lowest - 1) // order, 0), min(lowest // order, (gap.size - 1) // order - 1) + 1):
+    for e in range(max((node - 1) // order, 0), min(node // order, (gap.size - 1) // order - 1) + 1):
         values = gap[e * order : (e + 1) * order + 1]
         for i in range(order + 1):
             slope[i] = 0.0
             for j in range(order + 1):
                 slope[i] += basis.differentiation[i, j] * values[j]
-        here = lowest - e * order
+        here = node - e * order
         low = basis.nodes[max(here - 1, 0)]
         high = basis.nodes[min(here + 1, order)]
         for _ in range(26):

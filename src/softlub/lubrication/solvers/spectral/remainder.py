@@ -13,8 +13,9 @@ import numpy as np
 from numba import njit
 
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
-from softlub.lubrication.solvers.spectral.equations import Grid, inner
+from softlub.lubrication.solvers.spectral.equations import Grid
 from softlub.lubrication.solvers.spectral.kernel import log_kernel
+from softlub.lubrication.solvers.spectral.vectors import inner
 
 END_POINTS = 3
 _END_NODES = np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)])
@@ -67,7 +68,10 @@ def end_correction(
     stretch = (state[n + 1] + half_domain) / (grid.rupture + half_domain)
     reached = stretch * (max(half_domain, grid.breaks[-1]) + half_domain) - half_domain
     total = inner(grid.weights, state[:n])
-    centroid = stretch * (np.sum(grid.weights * grid.nodes * state[:n]) / total + half_domain) - half_domain
+    moment = 0.0
+    for i in range(n):
+        moment += grid.weights[i] * grid.nodes[i] * state[i]
+    centroid = stretch * (moment / total + half_domain) - half_domain
     half = 0.5 * (half_domain - reached)
     for i in range(END_POINTS):
         positions[i] = reached + half * (_END_NODES[i] + 1.0)

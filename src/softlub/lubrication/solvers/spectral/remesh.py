@@ -57,7 +57,9 @@ def serves(
 ) -> bool:
     """Whether a grid is good for a predicted state, whose gap is `end_gap` where the elements end."""
     grid = mesh.grid
-    finest = np.min(np.diff(grid.breaks[: grid.inlet + 1]))
+    finest = np.inf
+    for e in range(grid.inlet):
+        finest = min(finest, grid.breaks[e + 1] - grid.breaks[e])
     alive, _ = pressure_and_slope(scene.first, scene.step, scene.coefficients, end_gap)
     return (
         abs(log_speed - mesh.log_speed) <= LOG_RANGE
@@ -101,8 +103,9 @@ def make_mesh(
 ) -> Mesh:
     """The grid for a contact whose solid pressure lives up to `end`."""
     speed_number = np.exp(log_speed)
-    ends = np.array([-scene.half_domain, end])
-    breaks, inlet = element_breaks(rupture, approach, film_min, speed_number, scene.roughness, layer, ends)
+    breaks, inlet = element_breaks(
+        rupture, approach, film_min, speed_number, scene.roughness, layer, -scene.half_domain, end
+    )
     grid = make_grid(breaks, inlet, basis)
     hertzian = is_hertzian(approach, film_min, speed_number, scene.roughness)
     return Mesh(grid, make_remainder(grid, scene.half_domain, basis, gauss), log_speed, film_min, hertzian)
