@@ -134,7 +134,7 @@ def divide_by_phase(numbers, across_squared, along_squared, weights, norm):  # t
     energy = 0.0
     for i in range(numbers.shape[0]):
         across = across_squared[i]
-        of_row = norm * 0
+        of_row = numbers.dtype.type(0)
         for j in range(numbers.shape[1]):
             value = numbers[i, j]
             displacement = value * (norm / np.sqrt(across + along_squared[j]))
@@ -158,7 +158,7 @@ def multiply_by_table(numbers, factors, weights):  # type: ignore[no-untyped-def
     """Multiply a half spectrum by a table in place; return the energy as `divide_by_phase` does."""
     energy = 0.0
     for i in range(numbers.shape[0]):
-        of_row = factors[0, 0] * 0
+        of_row = numbers.dtype.type(0)
         for j in range(numbers.shape[1]):
             value = numbers[i, j]
             displacement = value * factors[i, j]

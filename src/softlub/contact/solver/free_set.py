@@ -67,142 +67,123 @@ def weigh(
         Number of free points; Σ of squared violations; Σ g S g; Σ g z_last over the free set.
     """
     nx, ny = pressure.shape
-    zero = level * 0
-    one = zero + 1
+    number = pressure.dtype.type
+    beyond = number(wrap)
     free_rows = np.zeros((5, ny + 4), pressure.dtype)
     gap_rows = np.zeros((5, ny + 4), pressure.dtype)
-    folded = np.zeros((2, ny + 4), pressure.dtype)
-    stencil_free = np.zeros(ny, pressure.dtype)
-    stencil_gap = np.zeros(ny, pressure.dtype)
-    column_gap = np.zeros(ny, pressure.dtype)
-    column_weight = np.zeros(ny, pressure.dtype)
-    count = 0.0
-    square = 0.0
-    product = 0.0
-    product_last = 0.0
+    filtered = np.zeros((2, ny), pressure.dtype)
+    columns = np.zeros((2, ny), pressure.dtype)
+    folded = np.zeros((3, ny + 4), pressure.dtype)
+    totals = np.zeros(4)
     for i in range(-4, nx):
-        target = (i + 2) % nx
-        inside = one if (0 <= i + 2 < nx) | (wrap > zero) else zero
+        entering = i + 2
         slot = (i + 4) % 5
-        row_count, row_square = _enter(
-            pressure[target],
-            gap[target],
-            move[target],
+        on_grid = (entering >= 0) & (entering < nx)
+        _enter(
+            pressure,
+            gap,
+            move,
+            entering % nx,
             rest,
             level,
             release,
-            inside,
-            wrap,
-            free_rows[slot],
-            gap_rows[slot],
+            free_rows,
+            gap_rows,
+            slot,
+            totals,
+            on_grid,
         )
-        if 0 <= i + 2 < nx:
-            count += row_count
-            square += row_square
-        if i < 0:
-            continue
-        _stencil_row(free_rows, i, taps, folded, stencil_free)
-        _stencil_row(gap_rows, i, taps, folded, stencil_gap)
-        row_product, row_last = _leave(
-            free_rows[(i + 2) % 5],
-            gap_rows[(i + 2) % 5],
-            stencil_free,
-            stencil_gap,
-            weight[i],
-            preconditioned[i],
-            column_gap,
-            column_weight,
-        )
-        product += row_product
-        product_last += row_last
-        if (i + 1) % block == 0 or i + 1 == nx:
-            collect(column_gap, block, gap_sums[i // block])
-            collect(column_weight, block, weight_sums[i // block])
-            column_gap[:] = 0
-            column_weight[:] = 0
-    return count, square, product, product_last
+        _close(free_rows, slot, number(1) if on_grid else beyond, beyond)
+        _close(gap_rows, slot, number(1) if on_grid else beyond, beyond)
+        if i >= 0:
+            _filter(free_rows, i, taps, folded, filtered, 0)
+            _filter(gap_rows, i, taps, folded, filtered, 1)
+            _leave(free_rows, gap_rows, (i + 2) % 5, filtered, weight, preconditioned, i, columns, totals)
+            if (i + 1) % block == 0 or i + 1 == nx:
+                collect(columns[0], block, weight_sums[i // block])
+                collect(columns[1], block, gap_sums[i // block])
+                columns[:] = 0
+    return totals[0], totals[1], totals[2], totals[3]
 
 
 @compiled
-def _enter(pressure, gap, move, rest, level, release, inside, wrap, free_row, gap_row):
-    """Lay a grid row and its halo out for the stencil; return its free points and squared violations."""
-    zero = level * 0
-    one = zero + 1
+def _enter(pressure, gap, move, i, rest, level, release, free_rows, gap_rows, slot, totals, counted):
+    """Lay a grid row out for the stencil; count its free points and squared violations in `totals`."""
+    number = pressure.dtype.type
+    zero, one = number(0), number(1)
+    least = number(RELEASE)
+    inverse = one / least
     count = zero
     square = zero
-    for j in range(pressure.size):
-        deviation = gap[j] - level
-        free = one if pressure[j] + rest * move[j] > release * deviation else zero
-        violation = deviation if pressure[j] > RELEASE * deviation else pressure[j] * (one / RELEASE)
+    for j in range(pressure.shape[1]):
+        deviation = gap[i, j] - level
+        free = one if pressure[i, j] + rest * move[i, j] > release * deviation else zero
+        violation = deviation if pressure[i, j] > least * deviation else pressure[i, j] * inverse
         count += free
         square += violation * violation
-        free_row[j + 2] = free * inside
-        gap_row[j + 2] = free * inside * deviation
-    _halo(free_row, wrap)
-    _halo(gap_row, wrap)
-    return count, square
+        free_rows[slot, j + 2] = free
+        gap_rows[slot, j + 2] = free * deviation
+    if counted:
+        totals[0] += count
+        totals[1] += square
 
 
 @compiled
-def _leave(free_row, gap_row, stencil_free, stencil_gap, weight, preconditioned, column_gap, column_weight):
-    """Store a row's stencils on the free set; return Σ g S g and Σ g z_last."""
-    product = free_row[0] * 0
-    product_last = free_row[0] * 0
-    for j in range(weight.size):
-        free = free_row[j + 2]
-        deviation = gap_row[j + 2]
-        share = free * stencil_free[j]
-        stiff = free * stencil_gap[j]
-        product += deviation * stiff
-        product_last += deviation * preconditioned[j]
-        column_weight[j] += share
-        column_gap[j] += share * deviation
-        weight[j] = share
-        preconditioned[j] = stiff
-    return product, product_last
+def _close(rows, slot, inside, wrap):
+    """Clear a row that lies beyond an edge without period, and lay the halo of two points at either end."""
+    ny = rows.shape[1] - 4
+    if inside == 0:
+        rows[slot, :] = 0
+    rows[slot, 0] = wrap * rows[slot, ny]
+    rows[slot, 1] = wrap * rows[slot, ny + 1]
+    rows[slot, ny + 2] = wrap * rows[slot, 2]
+    rows[slot, ny + 3] = wrap * rows[slot, 3]
 
 
 @compiled
-def _halo(row, wrap):
-    ny = row.size - 4
-    row[0] = wrap * row[ny]
-    row[1] = wrap * row[ny + 1]
-    row[ny + 2] = wrap * row[2]
-    row[ny + 3] = wrap * row[3]
-
-
-@compiled
-def _stencil_row(rows, i, taps, folded, out):
-    """Apply the stencil at grid row `i`; grid row k lies in rows[(k + 2) % 5], with two points of halo a side."""
-    near, far = folded[0], folded[1]
-    here = rows[(i + 2) % 5]
-    _add(rows[(i + 1) % 5], rows[(i + 3) % 5], near)
-    _add(rows[i % 5], rows[(i + 4) % 5], far)
+def _filter(rows, i, taps, folded, filtered, which):
+    """Apply the stencil at grid row `i`; grid row k lies in rows[(k + 2) % 5], two places further along."""
+    far_up, up, here, down, far_down = i % 5, (i + 1) % 5, (i + 2) % 5, (i + 3) % 5, (i + 4) % 5
     t00, t10, t11, t20, t21, t22 = taps[0], taps[1], taps[2], taps[3], taps[4], taps[5]
-    for j in range(out.size):
-        # halo: the point stands two places further
-        out[j] = (
-            t00 * here[j + 2]
-            + t10 * (here[j + 1] + here[j + 3] + near[j + 2])
-            + t11 * (near[j + 1] + near[j + 3])
-            + t20 * (here[j] + here[j + 4] + far[j + 2])
-            + t21 * (near[j] + near[j + 4] + far[j + 1] + far[j + 3])
-            + t22 * (far[j] + far[j + 4])
+    for k in range(rows.shape[1]):
+        at, near, far = rows[here, k], rows[up, k] + rows[down, k], rows[far_up, k] + rows[far_down, k]
+        folded[0, k] = t00 * at + t10 * near + t20 * far
+        folded[1, k] = t10 * at + t11 * near + t21 * far
+        folded[2, k] = t20 * at + t21 * near + t22 * far
+    for j in range(filtered.shape[1]):
+        filtered[which, j] = (
+            folded[0, j + 2] + (folded[1, j + 1] + folded[1, j + 3]) + (folded[2, j] + folded[2, j + 4])
         )
 
 
 @compiled
-def _add(first, second, out):
-    for k in range(out.size):
-        out[k] = first[k] + second[k]
+def _leave(free_rows, gap_rows, slot, filtered, weight, preconditioned, i, columns, totals):
+    """Store the stencils of a row on the free set; add Σ g S g and Σ g z_last to `totals`."""
+    number = weight.dtype.type
+    product = number(0)
+    product_last = number(0)
+    for j in range(weight.shape[1]):
+        free = free_rows[slot, j + 2]
+        deviation = gap_rows[slot, j + 2]
+        share = free * filtered[0, j]
+        stiff = free * filtered[1, j]
+        product += deviation * stiff
+        product_last += deviation * preconditioned[i, j]
+        weight[i, j] = share
+        preconditioned[i, j] = stiff
+    for j in range(weight.shape[1]):
+        columns[0, j] += weight[i, j]
+        columns[1, j] += weight[i, j] * gap_rows[slot, j + 2]
+    totals[2] += product
+    totals[3] += product_last
 
 
 @compiled
 def residual_squares(pressure, gap, level):
     """Number of free points and the sum of their squared gaps above `level`."""
     nx, ny = pressure.shape
-    zero = level * 0
-    one = zero + 1
+    number = pressure.dtype.type
+    zero, one = number(0), number(1)
     count = 0.0
     square = 0.0
     for i in range(nx):

@@ -32,6 +32,8 @@ LEAST_FACTOR = 0.1
 """Exact factor below which the next direction is the steepest."""
 STEP_CHANGE = 1.4
 """By what the length of the trial may grow or shrink from one iteration to the next."""
+MOST_STEP = 1.0
+"""Longest trial, as a factor of the direction; where S is the true stiffness, 1 is exact."""
 RELEASE = float(free_set.RELEASE)
 RELEASE_GROWTH = 4.0
 """By what the release is raised where the step leads uphill or nowhere; it falls back by as much a step."""
@@ -128,7 +130,7 @@ class FreeSetGradients:
 
     def _steepest(self) -> None:
         self._momentum_scale = 0.0
-        self._step = 1.0
+        self._step = MOST_STEP
         self._last_product = 0.0
         self._release = RELEASE
 
@@ -225,5 +227,5 @@ class FreeSetGradients:
         if exact < LEAST_FACTOR:
             self._momentum_scale = 0.0
             self._release = min(RELEASE_GROWTH**2 * self._release, MOST_RELEASE)
-        self._step *= min(STEP_CHANGE, max(1 / STEP_CHANGE, exact))
+        self._step = min(MOST_STEP, self._step * min(STEP_CHANGE, max(1 / STEP_CHANGE, exact)))
         return taken

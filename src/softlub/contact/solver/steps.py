@@ -38,8 +38,8 @@ def search(
         Sum of the trial, sum of φ where it is positive, and the sum that was clipped.
     """
     nx, ny = pressure.shape
-    zero = step * 0
-    one = zero + 1
+    number = pressure.dtype.type
+    zero, one = number(0), number(1)
     correction = np.empty(ny, pressure.dtype)
     total = 0.0
     total_weight = 0.0
@@ -78,7 +78,8 @@ def project(pressure, gap, weight, direction, step, lift, level):
         Σ g · step with g above `level`, and the sum of the projected trial.
     """
     nx, ny = pressure.shape
-    zero = step * 0
+    number = pressure.dtype.type
+    zero = number(0)
     slope = 0.0
     total = 0.0
     for i in range(nx):
@@ -103,7 +104,7 @@ def rescale(pressure, gap, move, factor, level):
     nx, ny = pressure.shape
     slope = 0.0
     for i in range(nx):
-        row_slope = level * 0
+        row_slope = pressure.dtype.type(0)
         for j in range(ny):
             value = factor * (pressure[i, j] + move[i, j]) - pressure[i, j]
             move[i, j] = value
@@ -116,7 +117,7 @@ def rescale(pressure, gap, move, factor, level):
 def room(pressure, move):
     """Largest factor of `move` that leaves every pressure positive."""
     nx, ny = pressure.shape
-    least = move[0, 0] * 0
+    least = pressure.dtype.type(0)
     for i in range(nx):
         for j in range(ny):
             # 0 / 0 off the contact compares as false
@@ -132,11 +133,12 @@ def advance(pressure, gap, move, displacement, factor):
     Returns
     -------
     tuple of float
-        Number of points under pressure, Σ of their gaps, Σ of the pressure.
+        Number of points that carry pressure in the trial, Σ of their gaps, Σ of the pressure. What the trial clipped
+        is about to leave the contact: its gaps would lift the contact level.
     """
     nx, ny = pressure.shape
-    zero = factor * 0
-    one = zero + 1
+    number = pressure.dtype.type
+    zero, one = number(0), number(1)
     count = 0.0
     gap_total = 0.0
     total = 0.0
@@ -147,8 +149,8 @@ def advance(pressure, gap, move, displacement, factor):
         for j in range(ny):
             value = pressure[i, j] + factor * move[i, j]
             opening = gap[i, j] + factor * displacement[i, j]
-            carries = one if value > zero else zero
-            value = carries * value
+            carries = one if pressure[i, j] + move[i, j] > zero else zero
+            value = value if value > zero else zero
             pressure[i, j] = value
             gap[i, j] = opening
             row_count += carries
@@ -164,8 +166,8 @@ def advance(pressure, gap, move, displacement, factor):
 def clipped(values, shift, out):
     """Fill `out` with max(0, values + shift); return its sum and the number of its positive points."""
     nx, ny = values.shape
-    zero = shift * 0
-    one = zero + 1
+    number = values.dtype.type
+    zero, one = number(0), number(1)
     total = 0.0
     count = 0.0
     for i in range(nx):
