@@ -6,7 +6,7 @@ SNAKEMAKE = $(BIN)/python workflow/scripts/run_locked.py .venv/snakemake.lock \
 	$(BIN)/python -m snakemake --cores $(CORES) --nolock
 CORES ?= 2
 
-.PHONY: reproduce test smoke benchmarks stress claims report lint clean help
+.PHONY: reproduce test smoke benchmarks stress claims lint clean help
 
 reproduce: .venv/ready ## the source's studies and figures, the claims and the report
 	$(SNAKEMAKE) $(ARGS)
@@ -15,8 +15,9 @@ reproduce: .venv/ready ## the source's studies and figures, the claims and the r
 smoke: .venv/ready ## everything at draft accuracy, under results/smoke
 	$(SNAKEMAKE) smoke
 
+benchmarks: CORES = 1
 benchmarks: .venv/ready ## run time against error of every solver; takes the machine for itself
-	$(SNAKEMAKE) --cores 1 benchmarks
+	$(SNAKEMAKE) benchmarks
 
 stress: .venv/ready ## tens of thousands of random contacts: what converged and what was flagged
 	$(SNAKEMAKE) stress

@@ -7,7 +7,8 @@ with the SI unit and the values that make sense; nothing here imports a unit lib
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from functools import lru_cache
+from typing import Annotated, Any, get_args, get_type_hints
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,37 @@ class Unit:
         return (" and ".join(parts) + unit) if parts else f"any finite number{unit}"
 
 
+def check(parameters: Any) -> None:
+    """Hold every annotated number of a parameter object against its bounds.
+
+    Parameters
+    ----------
+    parameters : dataclass instance
+        Whatever is annotated with a `Unit` is checked; None passes, for what may be left out.
+
+    Raises
+    ------
+    ValueError
+        Naming the class, the field, its value and what is allowed.
+    """
+    for name, unit in _units(type(parameters)):
+        value = getattr(parameters, name)
+        if value is not None and not unit.allows(value):
+            raise ValueError(f"{type(parameters).__name__}: {name} = {value:g} must be {unit.allowed()}")
+
+
+@lru_cache(maxsize=64)
+def _units(parameter_class: type) -> tuple[tuple[str, Unit], ...]:
+    """Fields of a class that carry a unit, also where None is allowed besides."""
+    found = []
+    for name, hint in get_type_hints(parameter_class, include_extras=True).items():
+        for part in (hint, *get_args(hint)):
+            found += [(name, unit) for unit in getattr(part, "__metadata__", ()) if isinstance(unit, Unit)]
+    return tuple(found)
+
+
 Length = Annotated[float, Unit("m", above=0)]
+Height = Annotated[float, Unit("m", at_least=0)]
 Pressure = Annotated[float, Unit("Pa", above=0)]
 LineLoad = Annotated[float, Unit("N/m", above=0)]
 Speed = Annotated[float, Unit("m/s", above=0)]

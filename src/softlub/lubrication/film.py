@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
-from softlub.units import Viscosity
+from softlub.units import Viscosity, check
+
+Cavitation = Literal["reynolds", "mass_conserving"]
 
 
 @dataclass(frozen=True)
@@ -23,4 +25,11 @@ class Lubricant:
     """
 
     viscosity: Viscosity
-    cavitation: Literal["reynolds", "mass_conserving"] = "reynolds"
+    cavitation: Cavitation = "reynolds"
+
+    def __post_init__(self) -> None:
+        check(self)
+        if self.cavitation not in get_args(Cavitation):
+            raise ValueError(
+                f"Lubricant: cavitation {self.cavitation!r} must be one of {', '.join(get_args(Cavitation))}"
+            )

@@ -9,6 +9,7 @@ import numpy as np
 from softlub.lubrication.film import Lubricant
 from softlub.lubrication.hertz import HertzLine
 from softlub.protocols import ContactLaw
+from softlub.units import Height, Length, LineLoad, Pressure, Speed, check
 
 
 @dataclass(frozen=True)
@@ -23,8 +24,11 @@ class HalfSpaceCylinder:
         Plane-strain modulus E* [Pa].
     """
 
-    radius: float
-    modulus: float
+    radius: Length
+    modulus: Pressure
+
+    def __post_init__(self) -> None:
+        check(self)
 
 
 @dataclass(frozen=True)
@@ -53,10 +57,13 @@ class Problem:
     body: HalfSpaceCylinder
     law: ContactLaw
     lubricant: Lubricant
-    load: float
-    speed: float
-    rms_roughness: float = 0.0
-    half_domain: float | None = None
+    load: LineLoad
+    speed: Speed
+    rms_roughness: Height = 0.0
+    half_domain: Length | None = None
+
+    def __post_init__(self) -> None:
+        check(self)
 
     @property
     def hertz(self) -> HertzLine:

@@ -11,6 +11,7 @@ import xarray as xr
 
 from softlub.datasets import store
 from softlub.datasets.variables import FLAGS
+from softlub.lubrication.total_friction import with_total_friction
 
 NOT_ATTEMPTED = {"flags": FLAGS["not_attempted"], "converged": False, "iterations": 0}
 """What stands in the integer variables of a point that a solver was not asked for; elsewhere it is NaN."""
@@ -30,7 +31,7 @@ def run(spec: Mapping[str, Any], inputs: Mapping[str, Sequence[Path]], outputs: 
         The dataset.
     """
     joined = join([store.read(path) for path in inputs["panel"]], spec["solvers"])
-    dataset = with_friction(joined, shear_strength(joined, spec["shear_strength"]))
+    dataset = with_scales(with_total_friction(joined, shear_strength(joined, spec["shear_strength"])))
     kept = dataset.drop_vars(spec["left_out"], errors="ignore")
     store.write(kept.drop_attrs(deep=False), outputs[0], dict(spec))
 
@@ -107,34 +108,27 @@ def shear_strength(dataset: xr.Dataset, rule: Mapping[str, Any]) -> xr.DataArray
     return over.copy(data=np.interp(np.log(over), np.log(table["at"]), table["value"]))
 
 
-def with_friction(dataset: xr.Dataset, strength: xr.DataArray) -> xr.Dataset:
-    """Add the solid and the total friction, the Hersey number and the lambda ratio.
+def with_scales(dataset: xr.Dataset) -> xr.Dataset:
+    """Add the Hersey number ηv and the lambda ratio, NaN where the surface is smooth.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         Joined panels.
-    strength : xarray.DataArray
-        σ1 [Pa].
 
     Returns
     -------
     xarray.Dataset
     """
-    per_width = strength / dataset["load"]
-    solid = per_width * dataset["real_contact_width"]
+    roughness = dataset["rms_roughness"]
     derived = {
-        "shear_strength": strength,
-        "friction_coefficient_solid": solid,
-        "friction_coefficient": dataset["friction_coefficient_fluid"] + solid,
         "hersey_number": dataset["viscosity"] * dataset["speed"],
-        "lambda_ratio": dataset["separation_min"]
-        / dataset["rms_roughness"].where(dataset["rms_roughness"] > 0),
+        "lambda_ratio": dataset["separation_min"] / roughness.where(roughness > 0),
     }
-    if "real_contact_width_error" in dataset:
-        derived["friction_coefficient_error"] = (
-            dataset["friction_coefficient_fluid_error"] + per_width * dataset["real_contact_width_error"]
-        )
-    order = list(dataset["separation_min"].dims)
-    arranged = {name: value.transpose(*order, missing_dims="ignore") for name, value in derived.items()}
+    order = dataset["separation_min"].dims
+    # A sum keeps the attributes of its first term: what is derived gets those of the table instead.
+    arranged = {
+        name: value.transpose(*order, missing_dims="ignore").drop_attrs(deep=False)
+        for name, value in derived.items()
+    }
     return store.describe(dataset.assign(arranged))

@@ -20,8 +20,8 @@ from softlub.lubrication.solvers.spectral.equations import (
 from softlub.lubrication.solvers.spectral.linear import factorise, substitute
 from softlub.lubrication.solvers.spectral.vectors import copy_into, inner
 
-MAX_STEPS = 30
-MAX_FACTORS = 12
+MAX_STEPS = 40
+MAX_FACTORS = 25
 # A step may change the gap by this share of itself, and the rupture point by this share of 1 + |b|.
 MAX_GAP_CHANGE = 0.8
 MAX_RUPTURE_CHANGE = 0.3
