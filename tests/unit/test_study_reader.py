@@ -442,7 +442,7 @@ def test_options_of_drawings_are_those_of_their_functions():
 
 def test_the_examples_of_the_configurations_readme(tmp_path):
     text = (ROOT / "config" / "README.md").read_text(encoding="utf-8")
-    first, second = (part.split("```", 1)[0] for part in text.split("```yaml\n")[1:])
+    first, second, contact = (part.split("```", 1)[0] for part in text.split("```yaml\n")[1:])
     mine = tmp_path / "mine.yaml"
     mine.write_text(first, encoding="utf-8")
     assert load(mine, config_dir=ROOT / "config").figures[0].draw == "stribeck"
@@ -453,3 +453,5 @@ def test_the_examples_of_the_configurations_readme(tmp_path):
         ("exponential", "persson gamma=1", "persson gamma=0.45"),
         ("table_3_1", "ground"),
     ]
+    mine.write_text(contact, encoding="utf-8")
+    assert load(mine, config_dir=ROOT / "config").kind == "rough_contact"
