@@ -20,13 +20,13 @@ grid:
 outputs: [maps]
 figures: [area_and_separation]
 """
-FILM = f"""
+FILM = """
 scene:
-  body: {{shape: {{kind: cylinder, radius: 10 mm}}, material: {{young_modulus: 3 MPa, poisson_ratio: 0.5}}}}
+  body: {shape: {kind: cylinder, radius: 10 mm}, material: {young_modulus: 3 MPa, poisson_ratio: 0.5}}
   surface: SURFACE
   contact_law: boundary_element
-  lubricant: {{viscosity: 0.1 Pa s}}
-grid: {{load: 100 N/m, speed: [1e-4 m/s, 1e-2 m/s, 1 m/s], scene.surface.rms_roughness: [1 um, 2 um]}}
+  lubricant: {viscosity: 0.1 Pa s}
+grid: {load: 100 N/m, speed: [1e-4 m/s, 1e-2 m/s, 1 m/s], scene.surface.rms_roughness: [1 um, 2 um]}
 """
 
 
