@@ -18,7 +18,7 @@ def panel() -> xr.Dataset:
     errors = ("friction_coefficient_fluid_error", "real_contact_width_error")
     values = np.arange(1.0, 7.0).reshape(shape) * 1e-5
     dataset = xr.Dataset(
-        {name: (dims, values) for name in (*results, *errors)}
+        dict.fromkeys((*results, *errors), (dims, values))
         | {"viscosity": ("rms_roughness", [0.1, 0.1]), "long_term_modulus": ("rms_roughness", [1e7, 1e7])},
         coords={"rms_roughness": [0.0, 1e-6], "load": [50.0], "speed": [1e-3, 1e-2, 1e-1]},
     )

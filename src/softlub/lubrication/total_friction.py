@@ -1,4 +1,4 @@
-"""The solid part of friction, once the shear strength is known, and the sum of both parts (equations 3-31, 3-32, 3-38)."""
+"""The solid part of friction, once the shear strength is known, and the sum of both parts (3-31, 3-32, 3-38)."""
 
 from __future__ import annotations
 
