@@ -455,3 +455,46 @@ def test_the_examples_of_the_configurations_readme(tmp_path):
     ]
     mine.write_text(contact, encoding="utf-8")
     assert load(mine, config_dir=ROOT / "config").kind == "rough_contact"
+
+
+SWEPT_ROUGHNESS = """\
+scene:
+  body: {shape: {kind: cylinder, radius: 10 mm}, material: pdms}
+  surface: table_3_1
+  lubricant: water
+grid:
+  load: 50 N/m
+  speed: {from: 1e-5 m/s, to: 1 m/s, points: 40, spacing: log}
+  scene.surface.rms_roughness: [1 um, 2 um]
+figures: [stribeck]
+"""
+
+
+def told(tmp_path, old, new, text=SWEPT_ROUGHNESS):
+    """What the reader says of the study above with one piece of its text replaced."""
+    assert old in text
+    (tmp_path / "mine.yaml").write_text(text.replace(old, new), encoding="utf-8")
+    return message(tmp_path / "mine.yaml", config_dir=ROOT / "config")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place"),
+    [
+        ("pdms", "nbbr", 'scene.body.material = "nbbr"'),
+        ("table_3_1", "tabel_3_1", 'scene.surface = "tabel_3_1"'),
+        ("water", "wine", 'scene.lubricant = "wine"'),
+        ("surface.rms_roughness: [1 um, 2 um]", "surface: [tabel_3_1, smooth]", "grid.scene.surface"),
+    ],
+)
+def test_an_unknown_name_spoils_no_other_block(tmp_path, old, new, place):
+    text = told(tmp_path, old, new)
+    assert len(text.splitlines()) == 1
+    assert place in text
+
+
+def test_every_unknown_name_is_said(tmp_path):
+    text = told(tmp_path, "table_3_1\n  lubricant: water", "tabel_3_1\n  lubricant: wine")
+    assert [line.split(" = ")[0].strip() for line in text.splitlines()[1:]] == [
+        "scene.surface",
+        "scene.lubricant",
+    ]

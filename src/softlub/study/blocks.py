@@ -46,8 +46,8 @@ class Names:
     used: dict[str, Path] = field(default_factory=dict)
     stand_ins: dict[str, str] = field(default_factory=dict)
 
-    def resolved(self, scene: Any) -> Any:
-        """A copy of a raw scene with every name replaced by its block.
+    def resolved(self, scene: Any) -> tuple[Any, list[Problem]]:
+        """A copy of a raw scene with every name replaced by its block, each by itself.
 
         Parameters
         ----------
@@ -56,20 +56,22 @@ class Names:
 
         Returns
         -------
-        Any
-
-        Raises
-        ------
-        StudyError
-            If a name has no block.
+        scene : Any
+            A name that has no block is left as it is.
+        problems : list of Problem
+            One for each such name.
         """
         scene = copy.deepcopy(scene)
+        problems: list[Problem] = []
         for place, holder, key in _places(scene):
             if isinstance(holder[key], str):
-                holder[key] = self.block(place, holder[key])
+                try:
+                    holder[key] = self.block(place, holder[key])
+                except StudyError as error:
+                    problems += error.problems
         if isinstance(scene, dict) and isinstance(scene.get("contact_law"), str):
             scene["contact_law"] = {"name": scene["contact_law"]}
-        return scene
+        return scene, problems
 
     def block(self, place: str, name: str) -> dict[str, Any]:
         """The block that a name stands for at a place of the scene."""

@@ -151,22 +151,21 @@ class _Reading:
 
     def _scene_reader(self) -> SceneReader:
         """Reader of the file's scene, in which every swept field holds its first value."""
-        scene = self.raw.get("scene")
-        try:
-            scene = self.names.resolved(scene)
-        except StudyError as error:
-            self.problems += error.problems
+        scene, unknown = self.names.resolved(self.raw.get("scene"))
+        self.problems += unknown
         for key, first in self._first_values().items():
             try:
                 scene = paths.replaced(scene if scene is not None else {}, key.removeprefix(SWEPT), first)
             except KeyError:
-                self._refuse(f"grid.{key}", "leads through something that has no fields", None)
+                # What lies inside a block that was refused cannot be told right or wrong.
+                if not any(str(key).startswith(f"{problem.key}.") for problem in unknown):
+                    self._refuse(f"grid.{key}", "leads through something that has no fields", None)
                 self.swept.pop(key, None)
                 self.sampled.pop(key, None)
-        try:
-            scene = self.names.resolved(scene)
-        except StudyError as error:
-            self.problems += [p for p in error.problems if p not in self.problems]
+        scene, problems = self.names.resolved(scene)
+        for problem in problems:
+            if problem not in unknown:
+                self.problems.append(replace(problem, key=f"grid.{problem.key}"))
         return SceneReader(scene, self.names, SCENES[self.kind])
 
     def _first_values(self) -> Raw:

@@ -14,7 +14,7 @@ from softlub.study.blocks import Names
 from softlub.study.fields import Quantity, refusal
 from softlub.study.grid import LOAD, SWEPT
 from softlub.study.labels import labels
-from softlub.study.messages import StudyError, shown
+from softlub.study.messages import shown
 from softlub.study.parsed import Range, Sweep
 from softlub.study.ranges import ascending, range_bounds, read_entry, read_range
 from softlub.study.scene import Scene
@@ -49,10 +49,10 @@ class SceneReader:
                 scene = paths.replaced(scene, path, value)
             except KeyError:
                 raise refusal(f"{path.rpartition('.')[0]} has no fields that could be swept") from None
-        try:
-            return self.names.resolved(scene)
-        except StudyError as error:
-            raise refusal("; ".join(problem.text for problem in error.problems)) from None
+        scene, problems = self.names.resolved(scene)
+        if problems:
+            raise refusal("; ".join(problem.text for problem in problems))
+        return scene
 
     def canonical(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The canonical scene with values put at their paths; a refusal where it is none."""
