@@ -498,3 +498,20 @@ def test_every_unknown_name_is_said(tmp_path):
         "scene.surface",
         "scene.lubricant",
     ]
+
+
+def test_what_figures_lack_is_said_beside_a_wrong_scene(tmp_path, block):
+    block["scene"]["body"]["material"]["poisson_ratio"] = 0.6
+    block["figures"] = ["regime_map", {"name": "mine", "draw": "module_comparison"}, "stribeck", "deflection"]
+    lines = message(write(tmp_path, block)).splitlines()[1:]
+    assert len(lines) == 4
+    assert "poisson_ratio" in lines[0]
+    assert "regime_map needs a designed sample" in lines[1]
+    assert "module_comparison (mine) needs several solvers" in lines[2]
+    assert "deflection draws studies of the kind deflection" in lines[3]
+
+
+def test_a_figure_of_a_sweep_that_is_wrong_is_not_called_in_need_of_one(tmp_path):
+    text = told(tmp_path, "[1 um, 2 um]\nfigures: [stribeck]", "[2 um, 1 um]\nfigures: [parameter_study]")
+    assert "ascending" in text
+    assert len(text.splitlines()) == 1

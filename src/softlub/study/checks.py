@@ -8,7 +8,8 @@ from typing import Any
 
 from softlub.study import paths
 from softlub.study.contact_checks import contact_problems, law_problems
-from softlub.study.drawings import DRAWINGS, NEEDS
+from softlub.study.drawings import DRAWINGS
+from softlub.study.figure_checks import unmet_needs
 from softlub.study.figures import Figure
 from softlub.study.messages import Problem
 from softlub.study.parsed import Study
@@ -67,20 +68,10 @@ def _figure_problems(study: Study) -> Iterator[Problem]:
         "field": bool(study.sweeps),
         "sample": study.sample is not None,
     }
+    yield from unmet_needs(study.kind, study.figures, there)
     for figure in study.figures:
-        drawing = DRAWINGS[figure.draw]
-        if study.kind not in drawing.kinds:
-            fitting = ", ".join(name for name, other in DRAWINGS.items() if study.kind in other.kinds)
-            yield Problem(
-                "figures",
-                f"{figure.draw} ({figure.name}) draws studies of the kind {' or '.join(drawing.kinds)}; "
-                f"of this kind: {fitting}",
-            )
-            continue
-        needs = drawing.needs
-        if needs and not there[needs]:
-            yield Problem("figures", f"{figure.draw} ({figure.name}) needs {NEEDS[needs]}")
-        yield from _option_problems(study, figure)
+        if study.kind in DRAWINGS[figure.draw].kinds:
+            yield from _option_problems(study, figure)
 
 
 def _option_problems(study: Study, figure: Figure) -> Iterator[Problem]:

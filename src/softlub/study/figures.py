@@ -36,26 +36,31 @@ class Figure:
     options: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
 
+def read_figure(value: Any) -> Figure:
+    """A figure from its entry in the file, a refusal where that is none."""
+    block = {"draw": value} if isinstance(value, str) else value
+    if not isinstance(block, Mapping):
+        raise refusal("must be the name of a drawing, or {name: …, draw: …}")
+    if "draw" not in block:
+        raise refusal(
+            f"needs the key draw; {did_you_mean(str(block.get('name', '')), tuple(DRAWINGS), 'drawings')}"
+        )
+    draw = block["draw"]
+    try:
+        Choice(tuple(DRAWINGS)).read(draw)
+    except PydanticCustomError as error:
+        raise refusal(f"draw {shown(draw)} {error.message()}") from None
+    name = block.get("name", draw)
+    if not (isinstance(name, str) and FILE_NAME.fullmatch(name)):
+        raise refusal(f"name {shown(name)} is no file name; use letters, digits, - and _ only")
+    return Figure(name, draw, _options(draw, block))
+
+
 @dataclass(frozen=True)
 class _FigureEntry(Entry):
     def read(self, value: Any) -> Figure:
         """The figure, its options read."""
-        block = {"draw": value} if isinstance(value, str) else value
-        if not isinstance(block, Mapping):
-            raise refusal("must be the name of a drawing, or {name: …, draw: …}")
-        if "draw" not in block:
-            raise refusal(
-                f"needs the key draw; {did_you_mean(str(block.get('name', '')), tuple(DRAWINGS), 'drawings')}"
-            )
-        draw = block["draw"]
-        try:
-            Choice(tuple(DRAWINGS)).read(draw)
-        except PydanticCustomError as error:
-            raise refusal(f"draw {shown(draw)} {error.message()}") from None
-        name = block.get("name", draw)
-        if not (isinstance(name, str) and FILE_NAME.fullmatch(name)):
-            raise refusal(f"name {shown(name)} is no file name; allowed: letters, digits, - and _")
-        return Figure(name, draw, _options(draw, block))
+        return read_figure(value)
 
     def json_schema(self) -> JsonSchema:
         """The name of a drawing, or a block for one."""

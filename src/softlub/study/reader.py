@@ -19,6 +19,7 @@ from softlub.study.blocks import Names
 from softlub.study.checks import problems_of
 from softlub.study.combinations import scenes_of
 from softlub.study.fields import refusal
+from softlub.study.figure_checks import unmet_needs_of_file
 from softlub.study.files import read_block
 from softlub.study.grid import SWEPT, check_swept_key
 from softlub.study.measured_files import MeasuredFile, find, try_out
@@ -64,9 +65,7 @@ def load(
     """
     path = Path(path)
     if not STUDY_NAME.fullmatch(path.stem):
-        raise StudyError(
-            str(path), [Problem("", "is named after its file: use letters, digits, - and _ only")]
-        )
+        raise StudyError(str(path), [Problem("", "rename the file: letters, digits, - and _ only")])
     if accuracy is not None and accuracy not in ACCURACIES:
         problem = Problem("accuracy", f"is unknown; {did_you_mean(accuracy, ACCURACIES)}", shown(accuracy))
         raise StudyError(str(path), [problem])
@@ -119,7 +118,17 @@ class _Reading:
                     del entries[key]
 
     def study(self, accuracy: str | None, overrule: bool) -> Study | None:
-        """The study, or None where problems were found."""
+        """The study, or None where its parts are wrong by themselves."""
+        study = self._of_parts(accuracy, overrule)
+        if study is not None:
+            study = self._with_files(study)
+        if self.problems or study is None:
+            self.problems += unmet_needs_of_file(self.raw, KINDS)
+        else:
+            self.problems += problems_of(study)
+        return study
+
+    def _of_parts(self, accuracy: str | None, overrule: bool) -> Study | None:
         reader = self._scene_reader()
         file = self._file(reader)
         sweeps, ranges = self._varied(reader)
@@ -127,10 +136,7 @@ class _Reading:
         if self.problems or file is None:
             return None
         chosen = accuracy if overrule and accuracy else file.accuracy or accuracy or "standard"
-        study = self._with_files(assembled(self.path.stem, file, sweeps, ranges, chosen, self.names))
-        if not self.problems:
-            self.problems += problems_of(study)
-        return study
+        return assembled(self.path.stem, file, sweeps, ranges, chosen, self.names)
 
     def _with_files(self, study: Study) -> Study:
         """The study with the instruments' files that it names, each found, hashed and tried out."""
