@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,8 @@ from softlub.contact.polonsky_keer import solve_polonsky_keer
 from softlub.contact.solution import ContactSolution
 from softlub.surfaces.topography import Topography
 
+JUDGED = 1e-6
+"""Residual of a converged contact where a solver was given no tolerance."""
 SCALARS = (
     "mean_gap",
     "contact_area_ratio",
@@ -78,7 +81,10 @@ def _solutions(
         return
     settings = {key: value for key, value in solver.items() if key != "name"}
     for pressure in falling:
-        yield solve_polonsky_keer(topography, 1.0, float(pressure), **settings)
+        solution = solve_polonsky_keer(topography, 1.0, float(pressure), **settings)
+        # Stopped by the change of the pressure alone, it is judged as every other contact is.
+        limit = solver["tolerance"] or JUDGED
+        yield replace(solution, converged=solution.residual <= limit)
 
 
 def _dataset(rows: list[dict[str, Any]], topography: Topography, thresholds: Sequence[float]) -> xr.Dataset:
