@@ -12,6 +12,7 @@ from softlub.claims.evaluate import evaluate
 from softlub.claims.table import Claim, read_claims, studies_of, write_judgements, write_page
 from softlub.claims.verdict import CHECKS, WORDS, check, judge
 from softlub.datasets.minimum import friction_minimum
+from softlub.datasets.variables import FLAG_EXPLANATIONS, FLAGS
 
 ROOT = Path(__file__).parents[2]
 CLAIMS = read_claims(ROOT / "config" / "claims.csv")
@@ -347,6 +348,25 @@ def test_caption_says_verdicts_failures_and_stand_ins():
 def test_caption_of_a_users_own_figure_needs_no_claims():
     text = caption("mine", "A picture.", stribeck())
     assert text == "A picture.\n\nAll 29 points converged.\n"
+
+
+def test_caption_counts_and_explains_flags():
+    dataset = fail(stribeck(), speed=0)
+    dataset["flags"].values[0, 20:] = FLAGS["outside_half_space"]
+    dataset["flags"].values[0, 28] |= FLAGS["domain_truncates"]
+    text = caption("mine", "A picture.", dataset)
+    speed = dataset["speed"].values
+    assert "9 of 28 converged points are flagged" in text
+    assert (
+        f"outside_half_space 9 (v from {speed[20]:.2g} to 100 m/s), domain_truncates 1 (v = 100 m/s)." in text
+    )
+    for name, explanation in FLAG_EXPLANATIONS.items():
+        assert (explanation in text) == (name in ("outside_half_space", "domain_truncates"))
+    assert "flagged" not in caption("mine", "A picture.", stribeck())
+
+
+def test_every_flag_is_explained():
+    assert FLAG_EXPLANATIONS.keys() == FLAGS.keys()
 
 
 def test_caption_is_valid_markup():

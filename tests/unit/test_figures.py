@@ -8,6 +8,7 @@ import pytest
 from synthetic_contact import DATASETS as CHAPTER_4
 from synthetic_datasets import fail, sample, skip, stribeck, work_precision
 
+from softlub.datasets.variables import FLAGS
 from softlub.figures import DRAWINGS, draw
 from softlub.figures.panel import DataFigure
 from softlub.figures.quantities import quantity
@@ -132,6 +133,64 @@ def test_failed_points_leave_a_gap_and_a_mark():
 @pytest.mark.parametrize("name", ["load_share", "friction_and_separation", "parameter_study"])
 def test_other_curves_mark_failures_too(name):
     assert failed_marks(draw(name, fail(dataset_for(name), speed=[2])))
+
+
+def flagged(dataset, name, **where):
+    """A copy with one flag raised at integer positions."""
+    marked = dataset.copy(deep=True)
+    marked["flags"][where] |= FLAGS[name]
+    return marked
+
+
+def doubtful_lines(figure):
+    return [line for axes in figure.axes for line in axes.lines if line.get_gid() == "doubtful"]
+
+
+def legend_texts(figure):
+    legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes)]
+    return [text.get_text() for legend in legends if legend is not None for text in legend.get_texts()]
+
+
+@pytest.mark.parametrize("flag", ["outside_half_space", "inaccurate"])
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [("stribeck", 1), ("load_share", 2), ("friction_and_separation", 2), ("parameter_study", 2)],
+)
+def test_doubtful_points_are_drawn_thin_and_explained(name, lines, flag):
+    plain = stribeck(dimensions={"young_modulus": [1e7]})
+    dataset = flagged(plain, flag, speed=[26, 27, 28])
+    before, figure = draw(name, plain), draw(name, dataset)
+    assert not doubtful_lines(before)
+    assert not any(text.startswith("thin") for text in legend_texts(before))
+    thin = doubtful_lines(figure)
+    assert len(thin) == lines
+    # They begin at the last sound point, so that the curve has no gap.
+    assert all(np.flatnonzero(np.isfinite(line.get_ydata())).tolist() == [25, 26, 27, 28] for line in thin)
+    (text,) = (text for text in legend_texts(figure) if text.startswith("thin"))
+    assert (
+        text
+        == {
+            "outside_half_space": "thin: outside the half-space model",
+            "inaccurate": "thin: inaccurate",
+        }[flag]
+    )
+    for series, same in zip(figure.series, before.series, strict=True):
+        assert np.array_equal(series.y, same.y)
+
+
+def test_other_flags_leave_curves_as_they_are():
+    assert not doubtful_lines(draw("stribeck", flagged(stribeck(), "domain_truncates", speed=[3])))
+
+
+def test_flags_stand_in_the_csv_where_there_are_any():
+    dataset = flagged(flagged(stribeck(), "outside_half_space", speed=28), "domain_truncates", speed=[27, 28])
+    rows = list(csv.DictReader(io.StringIO(table(draw("stribeck", dataset)))))
+    assert [row["flags"] for row in rows[-3:]] == [
+        "",
+        "domain_truncates",
+        "outside_half_space domain_truncates",
+    ]
+    assert "flags" not in table(draw("stribeck", stribeck())).splitlines()[0]
 
 
 def test_points_that_nobody_asked_for_are_no_failures():

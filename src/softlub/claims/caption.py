@@ -17,7 +17,7 @@ import xarray as xr
 from softlub.claims.evaluate import Judgement, evaluate
 from softlub.claims.table import Claim
 from softlub.claims.verdict import Word
-from softlub.datasets.variables import FLAGS
+from softlub.datasets.variables import FLAG_EXPLANATIONS, FLAGS
 
 HEADINGS: dict[Word, str] = {
     "reproduced": "Reproduced",
@@ -57,7 +57,12 @@ def caption(
     about = [claim for claim in claims if figure in claim.figures and claim.kind != "figure"]
     title = str(dataset.attrs.get("title", "")).rstrip(".")
     parts = [f"**{escape(title)}.** {escape(shows)}" if title else escape(shows)]
-    parts += [_state_of_points(dataset), _domain(dataset, bool(about)), _stand_ins(dataset)]
+    parts += [
+        _state_of_points(dataset),
+        _flagged_points(dataset),
+        _domain(dataset, bool(about)),
+        _stand_ins(dataset),
+    ]
     if about:
         parts.append("What the source says of it, and our numbers:")
         parts += [_statement(judgement) for judgement in evaluate(about, open_dataset)]
@@ -95,6 +100,34 @@ def _state_of_points(dataset: xr.Dataset) -> str:
         ]
         counts += f" ({'; '.join(each)})"
     return escape(f"{counts}; crosses mark them, and curves have a gap there.")
+
+
+def _flagged_points(dataset: xr.Dataset) -> str:
+    """How many of the converged points carry which flag, at which speeds, and what that means."""
+    if "flags" not in dataset or "converged" not in dataset:
+        return ""
+    converged = dataset["converged"].astype(bool)
+    # Converged points carry neither not_converged nor not_attempted.
+    flags = dataset["flags"].astype(int).where(converged, 0).astype(int)
+    each = {name: (flags & bit) > 0 for name, bit in FLAGS.items()}
+    raised = {name: where for name, where in each.items() if bool(where.any())}
+    if not raised:
+        return ""
+    counts = ", ".join(f"{name} {int(where.sum())}{_speeds(where)}" for name, where in raised.items())
+    meanings = " ".join(f"{name}: {FLAG_EXPLANATIONS[name]}." for name in raised)
+    return escape(
+        f"{int((flags > 0).sum())} of {int(converged.sum())} converged points are flagged: {counts}. {meanings}"
+    )
+
+
+def _speeds(where: xr.DataArray) -> str:
+    """At which speeds any point is marked."""
+    if "speed" not in where.dims:
+        return ""
+    speed = where["speed"].values[where.any([name for name in where.dims if name != "speed"]).values]
+    # Through a float, since 100 reads better than 1e+02.
+    low, high = (f"{float(f'{value:.2g}'):g}" for value in (speed.min(), speed.max()))
+    return f" (v = {low} m/s)" if low == high else f" (v from {low} to {high} m/s)"
 
 
 def _domain(dataset: xr.Dataset, compared: bool) -> str:

@@ -28,10 +28,14 @@ VARIABLES: dict[str, Variable] = {
     "friction_coefficient": Variable("1", "friction coefficient", "3-38"),
     "friction_coefficient_fluid": Variable("1", "friction coefficient, fluid part", "3-36"),
     "friction_coefficient_couette": Variable("1", "friction coefficient, Couette part of the fluid", "3-36"),
-    "friction_coefficient_poiseuille": Variable("1", "friction coefficient, Poiseuille part of the fluid", "3-36"),
+    "friction_coefficient_poiseuille": Variable(
+        "1", "friction coefficient, Poiseuille part of the fluid", "3-36"
+    ),
     "friction_coefficient_solid": Variable("1", "friction coefficient, solid part", "3-32"),
     "friction_coefficient_error": Variable("1", "estimated absolute error of the friction coefficient"),
-    "friction_coefficient_fluid_error": Variable("1", "estimated absolute error of the fluid part of friction"),
+    "friction_coefficient_fluid_error": Variable(
+        "1", "estimated absolute error of the fluid part of friction"
+    ),
     "shear_strength": Variable("Pa", "shear strength of the real contact", "3-32"),
     "hersey_number": Variable("N/m", "viscosity times speed"),
     # film and contact
@@ -40,7 +44,9 @@ VARIABLES: dict[str, Variable] = {
     "separation_central": Variable("m", "mean separation at x = 0"),
     "lambda_ratio": Variable("1", "smallest separation over rms roughness"),
     "load_share_solid": Variable("1", "share of the load carried by asperities", "3-18"),
-    "real_contact_width": Variable("m", "real contact area per length of the contact, integral of A/A0", "3-32"),
+    "real_contact_width": Variable(
+        "m", "real contact area per length of the contact, integral of A/A0", "3-32"
+    ),
     "real_contact_width_error": Variable("m", "estimated absolute error of the real contact width"),
     "contact_width": Variable("m", "width over which the total pressure exceeds 1e-3 of its maximum"),
     "contact_area_ratio_max": Variable("1", "largest real over nominal contact area", "3-32"),
@@ -55,7 +61,9 @@ VARIABLES: dict[str, Variable] = {
     "rms_slope_forward": Variable("1", "root mean square slope, from neighbouring points", "4-3"),
     "rms_slope_central": Variable("1", "root mean square slope, from next-nearest points", "4-3"),
     "skewness": Variable("1", "third moment of the heights over h_rms cubed; 0 for Gaussian heights"),
-    "kurtosis": Variable("1", "fourth moment of the heights over h_rms to the fourth; 3 for Gaussian heights"),
+    "kurtosis": Variable(
+        "1", "fourth moment of the heights over h_rms to the fourth; 3 for Gaussian heights"
+    ),
     "nayak_parameter": Variable("1", "Nayak's bandwidth parameter m0 m4/m2^2"),
     "spacing": Variable("m", "distance of neighbouring points"),
     "size": Variable("m", "side of the surface, a period where it is periodic"),
@@ -65,7 +73,9 @@ VARIABLES: dict[str, Variable] = {
     "rolloff": Variable("1/m", "roll-off wavevector q_r", "4-5"),
     "cutoff": Variable("1/m", "short-wavelength cut-off q_s, as far as the grid resolves it", "4-5"),
     "long_cutoff": Variable("1/m", "long-wavelength cut-off q_L; q_r where there is no plateau", "4-5"),
-    "realisations": Variable("1", "pieces of the surface that were made; 0 where it was too large for the accuracy"),
+    "realisations": Variable(
+        "1", "pieces of the surface that were made; 0 where it was too large for the accuracy"
+    ),
     "wavevector": Variable("1/m", "wavevector q"),
     "wavevector_profile": Variable("1/m", "wavevector q along a line"),
     "power_spectrum": Variable("m4", "power spectrum C(q) averaged over directions", "4-4"),
@@ -84,11 +94,15 @@ VARIABLES: dict[str, Variable] = {
     "reduced_pressure": Variable("1", "nominal pressure over E*"),
     "mean_separation": Variable("m", "mean gap over the surface", "4-22"),
     "mean_separation_persson": Variable("m", "mean separation by Persson's full integral, gamma = 1", "4-22"),
-    "mean_separation_persson_gamma": Variable("m", "mean separation by Persson's full integral, gamma = 0.45", "4-22"),
+    "mean_separation_persson_gamma": Variable(
+        "m", "mean separation by Persson's full integral, gamma = 0.45", "4-22"
+    ),
     "pressure_exponential": Variable(
         "Pa", "pressure of the exponential tail at the separation of Persson's full integral", "4-23"
     ),
-    "contact_area_ratio": Variable("1", "real over nominal contact area, corrected for the pixels along its edge"),
+    "contact_area_ratio": Variable(
+        "1", "real over nominal contact area, corrected for the pixels along its edge"
+    ),
     "contact_area_ratio_pixel": Variable("1", "share of the points under pressure"),
     "contact_area_ratio_gap": Variable("1", "share of the points whose gap is below a threshold"),
     "contact_area_ratio_persson": Variable("1", "real over nominal contact area by Persson's theory", "4-13"),
@@ -135,3 +149,18 @@ FLAGS: dict[str, int] = {
     "inaccurate": 64,
 }
 """Bits of the variable `flags` (CF convention: flag_masks and flag_meanings)."""
+
+FLAG_EXPLANATIONS: dict[str, str] = {
+    "not_converged": "the solver did not reach its tolerance; the point holds no numbers",
+    "outside_half_space": "the pressure reaches further than 0.9 R from the middle, where neither the parabola stands "
+    "for the cylinder nor the cylinder for a half-space; such points carry no meaning for a real body",
+    "percolates": "real contact takes more than 0.4 of the nominal area somewhere, which closes the channels through "
+    "which the model still lets the fluid flow",
+    "law_extrapolated": "the separation is smaller than the contact law knows; its pressure there is a continuation",
+    "domain_truncates": "the fluid still carries more than 0.001 of its largest pressure at the inlet's edge, so that "
+    "a wider domain would change film and friction",
+    "not_attempted": "the study does not ask this solver for this speed",
+    "inaccurate": "the estimated error exceeds 1e-3 of fluid friction (absolute), 5 % of the separation or 1 % of the "
+    "real contact width",
+}
+"""What each flag means for somebody who reads a figure."""

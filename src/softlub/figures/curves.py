@@ -35,6 +35,28 @@ class Curve(NamedTuple):
         """Speeds that were attempted and did not converge."""
         return ~self.data["converged"].values.astype(bool) & attempted(self.data)
 
+    @property
+    def flags(self) -> np.ndarray:
+        """Flags of every point, shape (speeds,)."""
+        if "flags" not in self.data:
+            return np.zeros(self.data["converged"].shape, dtype=int)
+        return self.data["flags"].values.astype(int)
+
+
+DOUBTFUL = ("outside_half_space", "inaccurate")
+"""Flags of points that converged and yet should not be relied on; their part of a curve is drawn thin and pale."""
+
+
+def doubtful(flags: np.ndarray) -> np.ndarray:
+    """Which points carry one of the flags `DOUBTFUL`."""
+    return (np.asarray(flags) & sum(FLAGS[name] for name in DOUBTFUL)) > 0
+
+
+def doubts(flags: np.ndarray) -> str:
+    """What the flags `DOUBTFUL` among these say, for a legend."""
+    words = {"outside_half_space": "outside the half-space model", "inaccurate": "inaccurate"}
+    return " or ".join(words[name] for name in DOUBTFUL if (np.asarray(flags) & FLAGS[name]).any())
+
 
 def attempted(dataset: xr.Dataset) -> np.ndarray:
     """Which points a solver was asked for at all."""

@@ -43,13 +43,14 @@ def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
                     f"{panel.y.label}{suffix}",
                     curve.hersey_number,
                     curve.values(panel.y.name),
+                    flags=curve.flags,
                     color=colour,
                     linestyle=linestyle,
                 )
             friction.mark_failed(curve.hersey_number[curve.failed])
         colour_axis(separation, style.SEPARATION)
         left.set_ylim(bottom=0.0)
-        friction.handles.extend(separation.handles)
+        friction.handles.extend(handle for handle in separation.handles if handle.get_gid() is None)
         friction.legend(loc="upper center")
         return figure
 

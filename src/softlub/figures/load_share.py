@@ -51,8 +51,15 @@ def _draw_curve(panel: Panel, curve: Curve, alone: bool) -> None:
     solid = curve.values("load_share_solid")
     suffix = f", {curve.label}" if curve.label else ""
     linestyle = style.LINE_STYLES[curve.position % len(style.LINE_STYLES)]
-    panel.line(f"fluid{suffix}", curve.hersey_number, 1 - solid, color=style.FLUID, linestyle=linestyle)
-    panel.line(f"asperities{suffix}", curve.hersey_number, solid, color=style.SOLID, linestyle=linestyle)
+    for name, share, colour in (("fluid", 1 - solid, style.FLUID), ("asperities", solid, style.SOLID)):
+        panel.line(
+            f"{name}{suffix}",
+            curve.hersey_number,
+            share,
+            flags=curve.flags,
+            color=colour,
+            linestyle=linestyle,
+        )
     panel.mark_failed(curve.hersey_number[curve.failed])
     least = friction_minimum(curve.data)
     if least is not None:

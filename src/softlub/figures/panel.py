@@ -15,13 +15,14 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 
 from softlub.figures import style
+from softlub.figures.curves import doubtful, doubts
 from softlub.figures.quantities import FloatArray, Quantity
 
 
 class Series(NamedTuple):
     """One series as drawn, in SI, and what it means: y over x, or z over both for a map.
 
-    NaN stands where a point failed or a map has no data.
+    NaN stands where a point failed or a map has no data; `flags` are those of its points, where they have any.
     """
 
     panel: str
@@ -32,6 +33,11 @@ class Series(NamedTuple):
     y: FloatArray
     z_quantity: Quantity | None = None
     z: FloatArray | None = None
+    flags: np.ndarray | None = None
+
+
+PALE: dict[str, Any] = {"linewidth": 0.6, "alpha": 0.45, "markeredgewidth": 0.4, "gid": "doubtful"}
+"""Look of the part of a curve that should not be relied on."""
 
 
 class DataFigure(Figure):
@@ -70,8 +76,16 @@ class Panel:
         self.axes.set_xlabel(self.x.axis_label)
         self.axes.set_ylabel(self.y.axis_label)
 
-    def line(self, series: str, x: ArrayLike, y: ArrayLike, label: str | None = None, **look: Any) -> Line2D:
-        """Draw and record one series.
+    def line(
+        self,
+        series: str,
+        x: ArrayLike,
+        y: ArrayLike,
+        label: str | None = None,
+        flags: np.ndarray | None = None,
+        **look: Any,
+    ) -> Line2D:
+        """Draw and record one series; what its flags cast doubt on is drawn thin and pale.
 
         Parameters
         ----------
@@ -81,6 +95,8 @@ class Panel:
             In SI; NaN leaves a gap.
         label : str, optional
             Name in the legend; an empty one keeps the series out of it.
+        flags : ndarray of int, shape (n,), optional
+            Of every point.
         **look
             Of `matplotlib.lines.Line2D`.
 
@@ -89,12 +105,23 @@ class Panel:
         matplotlib.lines.Line2D
         """
         x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
-        self.record(Series(self.name, series, self.x, self.y, x, y))
+        self.record(Series(self.name, series, self.x, self.y, x, y, flags=flags))
         legend = series if label is None else label
-        (line,) = self.axes.plot(self.x.shown(x), self.y.shown(y), label=legend or "_", **look)
+        in_doubt = doubtful(flags) if flags is not None else np.zeros(x.shape, dtype=bool)
+        sound = np.where(in_doubt, np.nan, y)
+        (line,) = self.axes.plot(self.x.shown(x), self.y.shown(sound), label=legend or "_", **look)
+        if flags is not None and (in_doubt & np.isfinite(y)).any():
+            self._draw_doubtful(x, np.where(_with_neighbours(in_doubt), y, np.nan), doubts(flags), look)
         if legend:
             self.handles.append(line)
         return line
+
+    def _draw_doubtful(self, x: FloatArray, y: FloatArray, why: str, look: dict[str, Any]) -> None:
+        """The doubtful part of a curve, up to the sound points beside it, and its entry in the legend."""
+        self.axes.plot(self.x.shown(x), self.y.shown(y), label="_", **look | PALE)
+        label = f"thin: {why}"
+        if not any(handle.get_label() == label for handle in self.handles):
+            self.handles.append(Line2D([], [], color=style.BLACK, label=label, **PALE))
 
     def record(self, series: Series) -> None:
         """Keep a series with the figure; `line` does so by itself."""
@@ -152,7 +179,16 @@ class Panel:
 
 
 def _failed_last(handles: Sequence[Line2D]) -> list[Line2D]:
-    return sorted(handles, key=lambda handle: handle.get_gid() == "failed")
+    """Curves before what the looks of their points mean."""
+    return sorted(handles, key=lambda handle: handle.get_gid() in ("doubtful", "failed"))
+
+
+def _with_neighbours(marked: np.ndarray) -> np.ndarray:
+    """The points marked and those beside them, so that lines drawn apart meet."""
+    wide = marked.copy()
+    wide[1:] |= marked[:-1]
+    wide[:-1] |= marked[1:]
+    return wide
 
 
 def new_figure(width: float, height: float) -> DataFigure:

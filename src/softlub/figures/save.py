@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from softlub.datasets.variables import FLAGS
 from softlub.figures.panel import DataFigure, Series, styled
 from softlub.figures.quantities import Quantity
 
@@ -74,20 +75,29 @@ def table(figure: DataFigure) -> str:
     Returns
     -------
     str
-        A row a point, in the order drawn; a column that does not concern a series is empty, a failed point NaN.
+        A row a point, in the order drawn; a column that does not concern a series is empty, a failed point NaN. A
+        last column names the flags of each point, where any point has one.
     """
     columns: dict[str, None] = {}
     for series in figure.series:
         columns.update(dict.fromkeys(_header(quantity) for quantity, _ in _quantities(series)))
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["panel", "series", *columns])
+    flagged = any(series.flags is not None and series.flags.any() for series in figure.series)
+    writer.writerow(["panel", "series", *columns, *(["flags"] if flagged else [])])
     for series in figure.series:
         values = {_header(quantity): numbers for quantity, numbers in _quantities(series)}
         for i in range(series.x.size):
             cells = [f"{values[name][i]:.10g}" if name in values else "" for name in columns]
-            writer.writerow([series.panel, series.series, *cells])
+            writer.writerow([series.panel, series.series, *cells, *([_flags(series, i)] if flagged else [])])
     return text.getvalue()
+
+
+def _flags(series: Series, i: int) -> str:
+    """Names of the flags of a point, with blanks between them."""
+    if series.flags is None:
+        return ""
+    return " ".join(name for name, bit in FLAGS.items() if int(series.flags[i]) & bit)
 
 
 def _header(quantity: Quantity) -> str:

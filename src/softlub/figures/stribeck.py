@@ -62,7 +62,7 @@ def draw_curves(panel: Panel, dataset: xr.Dataset, variable: str, legend: bool =
         # A single curve needs no name: the axis says what it is.
         name = curve.label or panel.y.label
         shown = None if legend and curve.label else ""
-        panel.line(name, curve.hersey_number, curve.values(variable), shown, **look)
+        panel.line(name, curve.hersey_number, curve.values(variable), shown, curve.flags, **look)
         panel.mark_failed(curve.hersey_number[curve.failed], look["color"], rows.get(curve.position, 0))
 
 

@@ -78,12 +78,12 @@ def _draw_effort(panel: Panel, curve: Curve, variable: str) -> None:
     effort = np.asarray(curve.data[variable].values, dtype=float)
     converged = curve.data["converged"].values.astype(bool)
     look = _look(curve)
-    panel.line(curve.label, speed, np.where(converged, effort, np.nan), "", **look)
+    panel.line(curve.label, speed, np.where(converged, effort, np.nan), "", curve.flags, **look)
     if curve.failed.any():
         name = f"{curve.label}, did not converge"
         failed = np.where(curve.failed, effort, np.nan)
         crosses = look | {"marker": style.FAILED_MARKER, "markersize": 6}
-        panel.line(name, speed, failed, "", gid="failed", **crosses)
+        panel.line(name, speed, failed, "", curve.flags, gid="failed", **crosses)
 
 
 def _look(curve: Curve) -> dict[str, Any]:
