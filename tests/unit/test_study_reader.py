@@ -515,3 +515,72 @@ def test_a_figure_of_a_sweep_that_is_wrong_is_not_called_in_need_of_one(tmp_path
     text = told(tmp_path, "[1 um, 2 um]\nfigures: [stribeck]", "[2 um, 1 um]\nfigures: [parameter_study]")
     assert "ascending" in text
     assert len(text.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("entries", "told_of"),
+    [
+        ({"load": {"from": 1, "to": 2, "points": 1000}, "speed": 2001}, ["2,001,000 points", "sample"]),
+        ({"scene.surface.hurst": {"from": 0.5, "to": 1, "points": 1001}}, ["1,001 curves", "sample"]),
+        # Several large sweeps: refused without listing 1e12 scenes.
+        (
+            {
+                f"scene.{path}": {"from": low, "to": 2 * low, "points": 10_000}
+                for path, low in (
+                    ("surface.rolloff", 1e4),
+                    ("lubricant.viscosity", 0.1),
+                    ("body.material.young_modulus", 1e6),
+                )
+            },
+            ["2,000,000,000,000 points"],
+        ),
+    ],
+    ids=["points", "curves", "three sweeps"],
+)
+def test_too_large_a_grid_is_refused_with_what_would_do(tmp_path, block, entries, told_of):
+    speeds = entries.pop("speed", 2)
+    block["grid"] |= {"speed": {"from": 0.1, "to": 1, "points": speeds}, **entries}
+    text = message(write(tmp_path, block))
+    for part in ["take fewer points", *told_of]:
+        assert part in text
+    assert len(text.splitlines()) == 1
+
+
+def test_the_largest_grid_and_too_large_a_sample(tmp_path, block):
+    block["grid"]["load"] = {"from": 1, "to": 2, "points": 1000}
+    assert len(load(write(tmp_path, block)).loads) == 1000
+    block["grid"] |= {
+        "load": 100,
+        "speed": {"from": 0.1, "to": 1, "points": 5},
+        "sample": {"points": 400_000, "ranges": {"scene.surface.hurst": {"from": 0.5, "to": 1}}},
+    }
+    assert load(write(tmp_path, block)).sample.points == 400_000
+    block["grid"]["speed"]["points"] = 6
+    text = message(write(tmp_path, block))
+    assert "2,400,000 points" in text
+    assert "grid.sample" not in text
+
+
+def test_too_many_surfaces_are_refused_before_they_are_listed(tmp_path):
+    surface = {"kind": "self_affine", "rms_roughness": 1e-6, "hurst": 0.8, "rolloff": 1e5, "cutoff": 1e6}
+    study = {
+        "kind": "rough_contact",
+        "scene": {"surface": surface | {"size": 1e-4, "points": 64}},
+        "grid": {"scene.surface.hurst": {"from": 0.5, "to": 1, "points": 501}},
+    }
+    assert "501 surfaces" in message(write(tmp_path, study))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("[1 um, 2 um]", "[1e-6, 1.1e-3]"),
+        ("[1 um, 2 um]", "[1e-6, 2]"),
+        ("radius: 10 mm", "radius: 10 um"),
+    ],
+)
+def test_a_roughness_like_the_shape_itself_is_refused(tmp_path, old, new):
+    text = told(tmp_path, old, new)
+    assert "a tenth of body.shape.radius" in text
+    assert "check the units" in text
+    assert len(text.splitlines()) == 1

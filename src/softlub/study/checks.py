@@ -14,9 +14,6 @@ from softlub.study.figures import Figure
 from softlub.study.messages import Problem
 from softlub.study.parsed import Study
 
-MOST_CURVES = 500_000
-"""Curves of a study: 500 jobs of 1,000."""
-
 
 def problems_of(study: Study) -> list[Problem]:
     """Everything wrong with a study whose entries are all right by themselves."""
@@ -91,6 +88,3 @@ def _grid_problems(study: Study) -> Iterator[Problem]:
         yield Problem(
             "grid", "a sample and swept fields exclude each other; put the fields among the sample's ranges"
         )
-    curves = math.prod([len(study.loads), *(len(sweep.values) for sweep in study.sweeps)])
-    if curves > MOST_CURVES:
-        yield Problem("grid", f"makes {curves} curves; allowed: {MOST_CURVES} at most")

@@ -13,9 +13,6 @@ from softlub.study.messages import Problem
 from softlub.study.parsed import Study
 from softlub.study.specimens import SPECTRUM, specimen
 
-MOST_JOBS = 500
-"""Laws and topographies of a study."""
-
 Surface = Mapping[str, Any]
 
 
@@ -26,8 +23,6 @@ def contact_problems(study: Study) -> Iterator[Problem]:
     made = [specimen(surface, PRESETS[study.accuracy], study.files) for surface in surfaces]
     if surfaces and not any(made):
         yield _too_large(study, scenes[0]["surface"])
-    if len(scenes) * max(1, len(study.solvers)) > MOST_JOBS:
-        yield Problem("grid", f"makes {len(scenes)} surfaces; allowed: {MOST_JOBS} jobs at most")
     if study.kind != "rough_contact":
         return
     if study.pressures is not None and study.pressures.over == "pascal" and study.scene["body"] is None:

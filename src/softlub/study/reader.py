@@ -26,6 +26,7 @@ from softlub.study.measured_files import MeasuredFile, find, try_out
 from softlub.study.messages import Problem, StudyError, did_you_mean, shown
 from softlub.study.models import FILES, KINDS, SCENES, CommonFile
 from softlub.study.parsed import Study, Sweep
+from softlub.study.size_checks import size_problems
 from softlub.study.solvers import as_block
 from softlub.study.sweeps import SceneReader, check_path, check_together, read_sampled, read_sweep
 
@@ -121,6 +122,8 @@ class _Reading:
         """The study, or None where its parts are wrong by themselves."""
         study = self._of_parts(accuracy, overrule)
         if study is not None:
+            self.problems += size_problems(study)
+        if study is not None and not self.problems:
             study = self._with_files(study)
         if self.problems or study is None:
             self.problems += unmet_needs_of_file(self.raw, KINDS)

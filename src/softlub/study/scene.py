@@ -52,6 +52,10 @@ DEFAULT_LAWS = {"smooth": "none", "self_affine": "persson", "measured": "boundar
 """Contact law of a surface's kind where the scene names none."""
 
 
+ROUGHEST = 0.1
+"""h_rms over the radius above which the roughness is the shape itself: a unit was forgotten."""
+
+
 def lacks_heights(surface: Any) -> str:
     """What keeps a surface from being made, empty if nothing does."""
     missing = [
@@ -95,6 +99,16 @@ class Scene(StudyModel):
             raise ValueError(
                 f"contact_law {law.name} needs a spectrum, and the surface is measured; "
                 "take boundary_element, or fit a self_affine surface to it"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _surface_is_no_shape(self) -> Scene:
+        height, shape = getattr(self.surface, "rms_roughness", None), self.body.shape
+        if shape.kind == "cylinder" and height is not None and height > shape.radius * ROUGHEST:
+            raise ValueError(
+                f"surface.rms_roughness of {height:g} m is more than a tenth of body.shape.radius, "
+                f"{shape.radius:g} m; check the units, a plain number is in m"
             )
         return self
 
