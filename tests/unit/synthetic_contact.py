@@ -122,10 +122,10 @@ def areas():
 
 
 def synthesis(tilt=0.5):
-    """Surfaces of linear and of exponential wavevectors, the latter's spectrum turned by `tilt` about 4 q_r."""
+    """Surfaces of linear and of exponential wavevectors, the latter's spectrum turned by `tilt` about 2 q_r."""
     linear = areas()
     q, density = linear["wavevector"].values, linear["power_spectrum"].values
-    middle = 4 * float(linear["rolloff"])
+    middle = 2 * float(linear["rolloff"])
     parts = [
         linear.assign(power_spectrum=("wavevector", density * factor))
         for factor in (np.ones_like(q), (q / middle) ** -tilt)

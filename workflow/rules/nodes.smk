@@ -6,6 +6,7 @@ wildcard_constraints:
     key="[a-z0-9_.-]+",
     study="[A-Za-z0-9_-]+",
     figure="[A-Za-z0-9_-]+",
+    table="[a-z0-9_]+",
 
 
 rule topography:
@@ -73,5 +74,20 @@ rule figure:
         caption="{results}/figures/{study}/{figure}.rst",
     params:
         spec=spec_of("figure", "{study}/{figure}"),
+    script:
+        "../scripts/run_stage.py"
+
+
+rule surface_table:
+    input:
+        study="{results}/studies/{study}.nc",
+    output:
+        "{results}/tables/{study}/{table}.csv",
+    params:
+        spec=lambda wildcards: {
+            "stage": "surface_table",
+            "revision": 1,
+            "table": wildcards.table,
+        },
     script:
         "../scripts/run_stage.py"

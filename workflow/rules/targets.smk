@@ -2,7 +2,7 @@
 
 
 def everything(results, chapter=None):
-    """Datasets and figures of all studies asked for, or of one chapter's."""
+    """Datasets, figures and tables of all studies asked for, or of one chapter's."""
     plan = PLANS[results]
     wanted = [
         study
@@ -11,7 +11,12 @@ def everything(results, chapter=None):
     ]
     nodes = [plan.node("study", study) for study in wanted]
     nodes += [figure for study in wanted for figure in plan.figures(study)]
-    return files_of(results, nodes)
+    tables = [
+        f"{results}/tables/{study}/{table}.csv"
+        for study in wanted
+        for table in tables_of(study)
+    ]
+    return files_of(results, nodes) + tables
 
 
 CHAPTERS = sorted(set(PLANS[RESULTS].chapters.values()))

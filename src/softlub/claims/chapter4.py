@@ -123,7 +123,7 @@ def _mean(dataset: xr.Dataset, name: str) -> float:
     return float(np.nanmean(dataset[name].values))
 
 
-SPLIT = 4.0
+SPLIT = 2.0
 """Waves of up to this many roll-off wavevectors count as long."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from softlub.claims.printed_surfaces import PRINTED, PrintedSurface, find, rows
-from softlub.claims.reading_contact import STUDIES
+from softlub.claims.printed_tables import STUDIES
 from softlub.claims.verdict import Check, Datasets, NotComputed, Verdict, check, judge
 from softlub.datasets.contact_curves import inputs
 

@@ -8,17 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from softlub.claims.printed_surfaces import PrintedSurface, find, rows
+from softlub.claims.printed_tables import STUDIES
 from softlub.claims.verdict import Datasets, NotComputed
 from softlub.datasets.contact_curves import ContactCurve, FloatArray, contact_curve
 
-STUDIES = {
-    "table_4_1": "ch4-continuum",
-    "table_4_2": "ch4-continuum",
-    "table_4_3": "ch4-thermodynamic",
-    "table_4_4": "ch4-fractal",
-    "table_4_5": "ch4-hurst",
-}
-"""Study that runs the surfaces of each table."""
 MEDIUM = 0.05
 """p/(E* h'rms) at which areas are compared."""
 GAP = 0.1

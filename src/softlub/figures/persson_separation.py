@@ -63,6 +63,14 @@ def draw(dataset: xr.Dataset, height: float = 2.8) -> DataFigure:
             panel.mark_failed(curve.relative_separation()[curve.failed])
         panel.axes.set_xlim(left=0.0)
         panel.axes.axvline(1.0, color=style.GREY, linewidth=0.6)
+        panel.axes.annotate(
+            r"$u = h_\mathrm{rms}$",
+            (1.0, 0.02),
+            xycoords=("data", "axes fraction"),
+            xytext=(-3, 0),
+            textcoords="offset points",
+            ha="right",
+        )
         panel.legend(loc="upper right")
         return figure
 

@@ -38,7 +38,7 @@ def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
         panel.axes.set_yscale("log")
         panel.line("equation 4-5", q, density, "", color=style.BLUE, linewidth=1.6)
         bottom, top = density.min() / 10, density.max() * 10
-        for name, text in NAMES.items():
+        for name, text in _marks(known).items():
             value = known[name]
             height_there = float(spectrum.density(min(value, spectrum.cutoff)))
             panel.line(name, [value, value], [bottom, height_there], "", color=style.GREY, linestyle=":")
@@ -55,3 +55,10 @@ def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
         panel.axes.set_ylim(bottom, top)
         panel.axes.set_xlim(q[0] / 2, q[-1] * 4)
         return figure
+
+
+def _marks(known: dict[str, float]) -> dict[str, str]:
+    """The wavevectors to be marked; q_L and q_r are one where there is no plateau."""
+    if known["long_cutoff"] < known["rolloff"] * (1 - 1e-9):
+        return NAMES
+    return {"rolloff": f"{NAMES['long_cutoff']} = {NAMES['rolloff']}", "cutoff": NAMES["cutoff"]}

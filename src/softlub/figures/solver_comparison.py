@@ -26,7 +26,10 @@ LOOKS: tuple[dict[str, Any], ...] = (
     {"color": style.BLACK, "linestyle": "none", "marker": "o", "markersize": 4, "markerfacecolor": "none"},
     {"color": style.GREEN, "linestyle": ":"},
 )
-THRESHOLD_LOOKS = ({"marker": "^", "color": style.GREEN}, {"marker": "v", "color": style.PURPLE})
+THRESHOLD_LOOKS: tuple[dict[str, Any], ...] = (
+    {"marker": "^", "color": style.GREEN},
+    {"marker": "v", "color": style.PURPLE},
+)
 
 
 def draw(dataset: xr.Dataset, height: float = 3.1) -> DataFigure:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -46,7 +48,12 @@ def draw(dataset: xr.Dataset, height: float = 2.9) -> DataFigure:
         panel.line("asked", q, spectrum.density(q), color=style.BLUE, linewidth=1.6)
         for name, (colour, marker, label) in LOOKS.items():
             wavevector, density = positive_part(dataset.sel(wavevectors=name), "wavevector", "power_spectrum")
-            look = {"color": colour, "linestyle": "none", "marker": marker, "markerfacecolor": "none"}
+            look: dict[str, Any] = {
+                "color": colour,
+                "linestyle": "none",
+                "marker": marker,
+                "markerfacecolor": "none",
+            }
             panel.line(label, wavevector, density, markersize=3, **look)
         panel.legend(loc="lower left")
         values = linear["height"].transpose("x", "y").values
