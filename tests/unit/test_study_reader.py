@@ -584,3 +584,70 @@ def test_a_roughness_like_the_shape_itself_is_refused(tmp_path, old, new):
     assert "a tenth of body.shape.radius" in text
     assert "check the units" in text
     assert len(text.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "parts"),
+    [
+        ("  load: 50", "\tload: 50", ["a tab? indent with spaces", "line 6"]),
+        ("from: 1e-5", "from: -1e-5", ['from "-1e-5 m/s" must be above 0']),
+        ("points: 40", "points: 2.5", ["points 2.5 must be a whole number"]),
+        ("lubricant: water", "lubricant: {viscosity: 100 cSt}", ["kinematic: multiply by the density"]),
+        ("surface: table_3_1", "surface: smooth", ["a smooth surface has none"]),
+        ("[stribeck]", "[parameter_study, regime_map]", ["figures: regime_map needs"]),
+    ],
+)
+def test_a_message_says_what_to_do(tmp_path, old, new, parts):
+    text = told(tmp_path, old, new)
+    for part in parts:
+        assert part in text
+    assert len(text.splitlines()) == 1
+
+
+def test_a_wrong_swept_value_is_not_blamed_on_the_block_that_it_replaces(tmp_path):
+    text = told(tmp_path, "[1 um, 2 um]", "{from: 0, to: 2 um, points: 3}")
+    assert "rms_roughness = 0: must be above 0 m" in text
+    assert "table_3_1.yaml" not in text
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place"),
+    [
+        ("10 mm", "3,5 mm", "scene.body.shape.radius = 3,5 mm"),
+        ("10 mm", "0,5 mm", "scene.body.shape.radius = 0,5 mm"),
+        ("from: 1e-5 m/s", "from: 0,5 m/s", "grid.speed.from = 0,5 m/s"),
+        ("water", "{viscosity: 0,05}", "scene.lubricant.viscosity = 0,05"),
+        ("[stribeck]", "[{draw: stribeck, height: 3,5}]", "figures[1].height = 3,5"),
+    ],
+)
+def test_a_decimal_comma_inside_braces_gets_one_message(tmp_path, old, new, place):
+    text = told(tmp_path, old, new)
+    meant = place.split(" = ")[1].replace(",", ".")
+    assert text.endswith(f"{place}: a decimal comma? numbers have a decimal point: {meant}")
+    assert len(text.splitlines()) == 1
+
+
+def test_a_decimal_comma_hides_no_other_mistake(tmp_path):
+    text = told(tmp_path, "10 mm}, material: pdms", "3,5 mm}, material: nbbr")
+    assert len(text.splitlines()) == 3
+    assert '"nbbr"' in text
+
+
+def test_two_equal_decimals_behind_commas(tmp_path):
+    assert "a decimal comma?" in told(tmp_path, "from: 1e-5 m/s, to: 1", "from: 0,5 m/s, to: 1,5")
+
+
+def test_what_the_command_line_says_is_not_blamed_on_the_configuration_alone(tmp_path):
+    for config, part in (
+        ({"studies": ["a"], "accuracy": "hi"}, "accuracy"),
+        ({"study": ""}, "study: names no file"),
+        ({"study": None}, "study: names no file"),
+    ):
+        with pytest.raises(StudyError, match=r"config\.yaml or --config") as caught:
+            select(config, tmp_path)
+        assert part in str(caught.value)
+
+
+def test_a_file_to_be_renamed(tmp_path, block):
+    text = message(write(tmp_path, block, "my study.yaml"))
+    assert text.endswith("rename the file: letters, digits, - and _ only")

@@ -17,6 +17,7 @@ class StudyModel(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
     unbuilt_keys: ClassVar[dict[str, str]] = {}
+    absent_keys: ClassVar[dict[str, str]] = {}
     further_keys: ClassVar[str] = ""
 
     @model_validator(mode="wrap")
@@ -60,6 +61,8 @@ def _is_own(entry: Any, kind: str) -> bool:
 def _unknown_key(model: type[StudyModel], key: str, known: list[str]) -> str:
     if key in model.unbuilt_keys:
         return f"is not yet built: {model.unbuilt_keys[key]}"
+    if key in model.absent_keys:
+        return model.absent_keys[key]
     if key[:1].isdigit():
         return f"is no key; a decimal comma? numbers have a decimal point; keys: {', '.join(known)}"
     return f"unknown key; {did_you_mean(key, known, 'keys')} {model.further_keys}".rstrip()

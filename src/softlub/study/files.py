@@ -28,7 +28,10 @@ class _Loader(_SafeLoader):
         for index, key in enumerate(keys):
             if key in keys[:index]:
                 line = node.start_mark.line + 1
-                raise yaml.YAMLError(f"the key {key} stands twice in the block that begins in line {line}")
+                hint = "; a decimal comma? numbers have a decimal point" if key[:1].isdigit() else ""
+                raise yaml.YAMLError(
+                    f"the key {key} stands twice in the block that begins in line {line}{hint}"
+                )
         mapping: dict[Any, Any] = super().construct_mapping(node, deep)
         return mapping
 
@@ -68,7 +71,7 @@ def read_block(path: Path) -> dict[str, Any]:
     try:
         block = yaml.load(text, Loader=_Loader)
     except yaml.YAMLError as error:
-        raise _error(path, f"is not YAML: {_yaml_problem(error)}") from None
+        raise _error(path, f"is not YAML: {_yaml_problem(error, text)}") from None
     except (ValueError, RecursionError) as error:
         raise _error(path, f"cannot be read: {error}") from None
     if block is None:
@@ -101,10 +104,17 @@ def _text(path: Path) -> str:
     return text
 
 
-def _yaml_problem(error: yaml.YAMLError) -> str:
+def _yaml_problem(error: yaml.YAMLError, text: str) -> str:
     mark = getattr(error, "problem_mark", None)
     problem = getattr(error, "problem", None) or str(error).split("\n", 1)[0]
-    return f"{problem} (line {mark.line + 1}, column {mark.column + 1})" if mark else str(problem)
+    if mark is None:
+        return str(problem)
+    # Line breaks as YAML counts them.
+    lines = re.split(r"\r\n|[\n\r\x85\u2028\u2029]", text)
+    line = lines[min(mark.line, len(lines) - 1)]
+    indent = line[: len(line) - len(line.lstrip())]
+    hint = "; a tab? indent with spaces" if "\t" in indent else ""
+    return f"{problem} (line {mark.line + 1}, column {mark.column + 1}){hint}"
 
 
 def _depth(value: Any, level: int = 1) -> int:

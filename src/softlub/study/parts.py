@@ -59,6 +59,14 @@ UNBUILT_KEYS: dict[type, dict[str, str]] = {
 }
 """Keys of the design that this version does not know yet, and what it does instead."""
 
+ABSENT_KEYS: dict[type, dict[str, str]] = {
+    Smooth: dict.fromkeys(
+        [entry.name for entry in fields(Synthetic)],
+        "a smooth surface has none; take a surface of the kind self_affine",
+    ),
+}
+"""Keys of a part's alternatives that it cannot have itself."""
+
 
 class PartModel(StudyModel):
     """A block of a study file that holds the parameters of one part."""
@@ -100,6 +108,7 @@ def model_of(part: type, tag: str = "", word: str = "", base: type[PartModel] = 
     model = create_model(name, __base__=base, __doc__=(part.__doc__ or "").split("\n", 1)[0], **entries)
     model.part = part
     model.unbuilt_keys = UNBUILT_KEYS.get(part, {})
+    model.absent_keys = ABSENT_KEYS.get(part, {})
     return model
 
 

@@ -96,6 +96,8 @@ def _text_to_number(text: str, unit: Unit) -> float:
 def _converted(number: float, symbol: str, unit: Unit) -> float:
     factor = _factor(symbol, unit.symbol)
     if factor is None:
+        if unit.symbol == "Pa s" and _factor(symbol, "m^2/s") is not None:
+            raise QuantityError(f'"{symbol}" is kinematic: multiply by the density; {_allowed(unit)}')
         raise QuantityError(f'"{symbol}" is not a unit of {_what(unit)}; {_allowed(unit)}')
     return number if factor == 1 else rounded(number * factor)
 

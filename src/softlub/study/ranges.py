@@ -72,7 +72,7 @@ def read_range(block: Mapping[str, Any], read: Callable[[Any], float]) -> tuple[
     try:
         points = int(_POINTS.read(block["points"]))
     except PydanticCustomError as error:
-        raise refusal(f"points {error.message()}") from None
+        raise refusal(f"points {shown(block['points'])} {error.message()}") from None
     steps = [i / (points - 1) for i in range(points)]
     if spacing == "log":
         between = [low * math.exp(math.log(high / low) * step) for step in steps]
@@ -97,7 +97,7 @@ def range_bounds(
         try:
             ends.append(read(block[key]))
         except PydanticCustomError as error:
-            raise refusal(f"{key} {error.message()}") from None
+            raise refusal(f"{key} {shown(block[key])} {error.message()}") from None
     spacing = block.get("spacing", "linear")
     if spacing not in SPACINGS:
         raise refusal(f"spacing {spacing} is unknown; {did_you_mean(str(spacing), SPACINGS)}")

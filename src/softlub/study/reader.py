@@ -18,6 +18,7 @@ from softlub.study.assembly import AnyFile, assembled
 from softlub.study.blocks import Names
 from softlub.study.checks import problems_of
 from softlub.study.combinations import scenes_of
+from softlub.study.decimal_commas import joined_again
 from softlub.study.fields import refusal
 from softlub.study.figure_checks import unmet_needs_of_file
 from softlub.study.files import read_block
@@ -89,9 +90,9 @@ class _Reading:
 
     def __init__(self, path: Path, raw: Raw, names: Names) -> None:
         self.path = path
-        self.raw = raw
         self.names = names
-        self.problems: list[Problem] = []
+        self.raw, self.problems = joined_again(raw)
+        raw = self.raw
         kind = raw.get("kind")
         # An unknown kind is refused where the file is read as a study of the first one.
         self.kind = kind if isinstance(kind, str) and kind in KINDS else KINDS[0]
@@ -212,7 +213,7 @@ class _Reading:
         key = _dotted(entry["loc"])
         text = str(entry["msg"])
         for place, file in self.names.used.items():
-            if key.startswith(f"{SWEPT}{place}."):
+            if key.startswith(f"{SWEPT}{place}.") and key not in (*self.swept, *self.sampled):
                 text += f" (in {file})"
         if any(key == swept or key.startswith(f"{swept}.") for swept in [*self.swept, *self.sampled]):
             key = f"grid.{key}"

@@ -60,7 +60,7 @@ def select(config: Mapping[str, Any], config_dir: str | os.PathLike[str]) -> lis
     StudyError
         If a name has no file, a path has another study's name, or a key or value is unknown.
     """
-    where = str(Path(config_dir) / "config.yaml")
+    where = f"{Path(config_dir) / 'config.yaml'} or --config"
     problems = [
         Problem(str(key), f"unknown key; {did_you_mean(str(key), CONFIG_KEYS, 'keys')}")
         for key in config
@@ -71,6 +71,8 @@ def select(config: Mapping[str, Any], config_dir: str | os.PathLike[str]) -> lis
         problems.append(
             Problem("accuracy", f"is unknown; {did_you_mean(str(accuracy), ACCURACIES)}", shown(accuracy))
         )
+    if "study" in config and not str(config["study"] or "").strip():
+        problems.append(Problem("study", "names no file; write --config study=PATH"))
     known = study_files(config_dir)
     names = config.get("studies", [])
     if "study" not in config and not (isinstance(names, list) and names):
