@@ -43,7 +43,8 @@ def kappa_of_cutoffs(datasets: Datasets) -> Verdict:
         all(a > b for a, b in pairwise(values)) and about(values[:1], 2.5) and about(values[-1:], 2.0),
         listed(kappas),
         f"reproduced if the corrected one falls throughout, from 2.5 to 2 within 5 %; it changes by "
-        f"{100 * (values[-1] / values[0] - 1):+.0f} %. {beside(kappas)}",
+        f"{100 * (values[-1] / values[0] - 1):+.0f} %, the count of pixels by "
+        f"{100 * (kappas[-1].pixel / kappas[0].pixel - 1):+.0f} %. {beside(kappas)}",
     )
 
 
@@ -55,7 +56,8 @@ def narrowest_spectrum(datasets: Datasets) -> Verdict:
     return judge(
         about([found.corrected], float(BUSH)),
         listed([found]),
-        f"lambda_r/lambda_s = {first.printed.rolloff / first.printed.shortest:.3g}; within 5 % of {BUSH:.3f}; "
+        f"lambda_r/lambda_s = {first.printed.rolloff / first.printed.shortest:.3g}; within 5 % of {BUSH:.3f}, "
+        f"which the count of pixels {'is' if about([found.pixel], BUSH) else 'is not'}; "
         f"{beside([found])}",
     )
 

@@ -100,7 +100,14 @@ def swept(rows: Sequence[xr.Dataset], sweeps: Sequence[Mapping[str, Any]]) -> xr
         # A swept parameter is its own coordinate already.
         bare = [row.drop_vars(sweep["dimension"], errors="ignore") for row in rows]
         rows = [
-            xr.concat(bare[first : first + count], dim=labels, join="outer", fill_value=FILL, data_vars="all")
+            xr.concat(
+                bare[first : first + count],
+                dim=labels,
+                join="outer",
+                fill_value=FILL,
+                data_vars="all",
+                coords="minimal",
+            )
             for first in range(0, len(bare), count)
         ]
     return store.describe(rows[0])
