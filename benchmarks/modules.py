@@ -60,17 +60,21 @@ def measure() -> xr.Dataset:
             f"given up after 20,000 sweeps, 30 s, or {PLAIN_SECONDS:g} s with plain relaxation",
         },
     )
-    tried = dataset.sel({"module": list(MODULES)})
+    dataset["converged"] = dataset["converged"] == 1
+    modules = dataset.sel({"module": list(MODULES)})
     for variant in VARIANTS:
-        of_variant = tried["converged"].sel({"variant": variant}).values
+        of_variant = modules.sel({"variant": variant})
         dataset.attrs[f"converged_{variant.split()[0]}"] = (
-            f"{int(np.nansum(of_variant))} of {int(np.isfinite(of_variant).sum())}"
+            f"{int(of_variant['converged'].sum())} of {int(_tried(of_variant).sum())}"
         )
-    converged = tried["converged"].values == 1
-    dataset.attrs["largest_error_friction_converged"] = float(
-        np.nanmax(np.abs(tried["error_friction"].values[converged]))
-    )
+    converged = modules["error_friction"].values[modules["converged"].values]
+    dataset.attrs["largest_error_friction_converged"] = float(np.max(np.abs(converged)))
     return dataset
+
+
+def _tried(dataset: xr.Dataset) -> np.ndarray:
+    """Which points were tried: a diverged one has an infinite residual, one that was not tried has none."""
+    return ~np.isnan(dataset["residual"].values)
 
 
 def _point(nodes: int, speed: float) -> np.ndarray:
@@ -126,7 +130,7 @@ def draw(dataset: xr.Dataset) -> DataFigure:
                     continue
                 _lines(panel, drawn.sel({"module": module}), name, index)
             if name == "sweeps":
-                panel.axes.set_ylim(bottom=0.3)
+                panel.axes.set_ylim(bottom=0.05)
             panels.append(panel)
         share_legend(figure, panels, 3)
         return figure
@@ -137,10 +141,10 @@ def _lines(panel: Panel, of_module: xr.Dataset, name: str, index: int) -> None:
     speeds = of_module["speed"].values
     for variant, look in zip(VARIANTS, ({}, {"linestyle": ":", "markerfacecolor": "none"}), strict=True):
         chosen = of_module.sel({"variant": variant})
-        tried = np.isfinite(chosen["converged"].values)
+        tried = _tried(chosen)
         if not tried.any():
             continue
-        good = chosen["converged"].values == 1
+        good = chosen["converged"].values
         label = str(of_module["module"].values) + ("" if variant == VARIANTS[0] else ", plain")
         panel.line(
             label,
