@@ -5,11 +5,12 @@ import io
 
 import numpy as np
 import pytest
+import xarray as xr
 from synthetic_contact import DATASETS as CHAPTER_4
 from synthetic_datasets import fail, sample, skip, stribeck, work_precision
 
 from softlub.datasets.variables import FLAGS
-from softlub.figures import DRAWINGS, draw
+from softlub.figures import DRAWINGS, draw, style
 from softlub.figures.panel import DataFigure
 from softlub.figures.quantities import quantity
 from softlub.figures.sample import first_order_index
@@ -228,11 +229,73 @@ def test_profiles_refuse_a_speed_that_is_not_there():
         draw("profiles", dataset_for("profiles"), speed=50.0)
 
 
-def test_amplified_pressure_is_multiplied_and_named():
-    plain, amplified = (draw("profiles", dataset_for("profiles"), amplify=factor) for factor in (1.0, 1e3))
-    solid = [next(s for s in f.series if s.series.startswith("asperity")) for f in (plain, amplified)]
-    assert np.allclose(solid[1].y, 1e3 * solid[0].y)
-    assert "× 1000" in solid[1].series
+def test_amplified_pressure_is_a_further_line_of_one_profile():
+    dataset = dataset_for("profiles")
+    plain = draw("profiles", dataset)
+    figure = draw("profiles", dataset, amplify=1e5, amplified="persson gamma=0.45")
+    assert [s.series for s in figure.series[:9]] == [s.series for s in plain.series]
+    (further,) = figure.series[9:]
+    (true,) = (s for s in plain.series if s.series == "asperity pressure, Persson integral, γ = 0.45")
+    assert further.series == "asperity pressure × 100000, Persson integral, γ = 0.45"
+    assert np.array_equal(further.y, 1e5 * true.y)
+    assert any("asperity pressure × " in text for text in legend_texts(figure))
+
+
+def test_amplified_pressure_of_every_profile_or_of_none_of_that_label():
+    assert len(draw("profiles", dataset_for("profiles"), amplify=10.0).series) == 12
+    with pytest.raises(ValueError, match=r"'persson gamma=2'; there are exponential law 3-11"):
+        draw("profiles", dataset_for("profiles"), amplify=10.0, amplified="persson gamma=2")
+
+
+def several_loads(**options):
+    heavier = [stribeck(nodes=60, load=load, **options) for load in (100.0, 200.0, 400.0)]
+    for factor, dataset in enumerate(heavier, start=1):
+        dataset["fluid_pressure"].values[:] *= factor
+    return xr.concat(heavier, "load", data_vars="minimal", coords="minimal", compat="override")
+
+
+@pytest.mark.parametrize("name", ["profiles", "sweep_comparison", "module_comparison"])
+def test_profiles_are_of_one_load_that_is_named(name):
+    dataset = several_loads(dimensions={"solver": SWEEPS})
+    speed = float(dataset["speed"][10])
+    for options, factor in (({"load": 100}, 1), ({"load": 400}, 3), ({}, 2)):
+        figure = draw(name, dataset, speed=speed, **options)
+        fluid = next(series for series in figure.series if series.series.startswith("fluid"))
+        expected = factor * dataset["fluid_pressure"].sel(load=100.0, speed=speed).values[0]
+        assert np.allclose(np.sort(fluid.y), np.sort(expected))
+        load = {1: 100, 2: 200, 3: 400}[factor]
+        assert any(f"W = {load} N/m" in axes.get_title("right") for axes in figure.axes)
+        assert f"Drawn for v = {speed:.4g} m/s and W = {load} N/m." in figure.notes
+    with pytest.raises(ValueError, match="no load near 50 N/m"):
+        draw(name, dataset, load=50.0)
+
+
+def test_profiles_refuse_what_they_cannot_tell_apart():
+    with pytest.raises(ValueError, match="which value of hurst to draw"):
+        draw("profiles", stribeck(dimensions={"young_modulus": [1e7, 2e7], "hurst": [0.7, 0.8]}, nodes=60))
+    with pytest.raises(ValueError, match="8 values of young_modulus"):
+        draw("profiles", stribeck(dimensions={"young_modulus": np.linspace(1e7, 5e7, 9)}, nodes=60))
+
+
+@pytest.mark.parametrize("name", ["stribeck", "sweep_comparison", "module_comparison"])
+def test_names_of_solvers_are_explained(figures, name):
+    assert any(note.startswith("Newton solves") for note in figures[name].notes)
+    assert not draw("stribeck", stribeck()).notes
+
+
+@pytest.mark.parametrize(
+    ("shown", "text"),
+    [(r"$h_\mathrm{rms}$ = 1 µm", "h_rms = 1 µm"), (r"v = $10^{-5}$ m/s", "v = 1e-05 m/s"),
+     (r"× $2.5\times 10^{7}$", "× 2.5e+07"), ("$E$ = 10 MPa, $R$ = 1 mm", "E = 10 MPa, R = 1 mm"),
+     ("BML", "BML")],
+)  # fmt: skip
+def test_plain_text(shown, text):
+    assert style.plain(shown) == text
+
+
+def test_csv_names_series_in_plain_text(figures):
+    names = {series.series for series in figures["parameter_study"].series}
+    assert names == {"E = 10 MPa", "E = 20 MPa", "E = 50 MPa"}
 
 
 def test_load_share_marks_the_minimum_of_friction():

@@ -125,12 +125,38 @@ def nearest_speed(dataset: xr.Dataset, speed: float | None) -> float:
     ValueError
         If the closest speed differs from the wanted one by more than a tenth.
     """
-    speeds = np.asarray(dataset["speed"].values, dtype=float)
-    if speed is None:
-        return float(speeds[speeds.size // 2])
-    closest = float(speeds[np.argmin(np.abs(np.log(speeds / speed)))])
-    if abs(closest - speed) > 0.1 * speed:
+    return _nearest(dataset, "speed", speed, "m/s")
+
+
+def nearest_load(dataset: xr.Dataset, load: float | None) -> float:
+    """The dataset's load closest, in its logarithm, to the one wanted; the middle one when none is.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    load : float or None
+        [N/m].
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    ValueError
+        If the closest load differs from the wanted one by more than a tenth.
+    """
+    return _nearest(dataset, "load", load, "N/m")
+
+
+def _nearest(dataset: xr.Dataset, name: str, wanted: float | None, unit: str) -> float:
+    values = np.asarray(dataset[name].values, dtype=float)
+    if wanted is None:
+        return float(values[values.size // 2])
+    closest = float(values[np.argmin(np.abs(np.log(values / wanted)))])
+    if abs(closest - wanted) > 0.1 * wanted:
         raise ValueError(
-            f"the dataset holds no speed near {speed:g} m/s (closest: {closest:g} m/s); add it to the study's grid"
+            f"the dataset holds no {name} near {wanted:g} {unit} (closest: {closest:g} {unit}); "
+            "add it to the study's grid"
         )
     return closest

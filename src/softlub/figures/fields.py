@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from softlub.figures import style
-from softlub.figures.curves import value_label
+from softlub.figures.curves import nearest_load, nearest_speed, value_label
 from softlub.figures.quantities import FloatArray, Quantity, quantity
 
 
@@ -26,30 +26,74 @@ class Profile(NamedTuple):
     iterations: float
 
 
-def profiles(dataset: xr.Dataset, speed: float, dimension: str | None) -> list[Profile]:
-    """Profiles at one speed, one a value of a dimension.
+class Where(NamedTuple):
+    """Speed [m/s] and load [N/m] that profiles are drawn at."""
+
+    speed: float
+    load: float
+
+    @property
+    def title(self) -> str:
+        """For the figure."""
+        return f"v = {style.power(self.speed)} m/s, W = {style.power(self.load)} N/m"
+
+    @property
+    def sentence(self) -> str:
+        """For its caption."""
+        return f"Drawn for v = {self.speed:.4g} m/s and W = {self.load:.4g} N/m."
+
+
+def where(dataset: xr.Dataset, speed: float | None, load: float | None) -> Where:
+    """The speed and the load of a dataset closest to those wanted; the middle ones where none is.
+
+    Raises
+    ------
+    ValueError
+        If there is none near.
+    """
+    return Where(nearest_speed(dataset, speed), nearest_load(dataset, load))
+
+
+def profiles(dataset: xr.Dataset, at: Where, dimension: str | None) -> list[Profile]:
+    """Profiles at one speed and load, one a value of a dimension.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        With fields over nodes; loads beyond the first are left aside.
-    speed : float
-        One of the dataset's speeds [m/s].
+        With fields over nodes.
+    at : Where
+        One of the dataset's speeds and loads.
     dimension : str or None
         What the profiles differ in; None gives one.
 
     Returns
     -------
     list of Profile
+
+    Raises
+    ------
+    ValueError
+        If the dataset varies anything else, or holds more profiles than line styles tell apart.
     """
-    at_speed = dataset.sel(speed=speed)
-    positions = range(dataset.sizes[dimension]) if dimension else [0]
+    others = [name for name in _varied(dataset) if name != dimension]
+    if others:
+        raise ValueError(
+            f"profiles along {dimension} leave open which value of {', '.join(others)} to draw; vary one of them only"
+        )
+    point = dataset.sel(speed=at.speed, load=at.load)
+    if dimension is None:
+        return [_profile("", point.isel(dict.fromkeys(point["converged"].dims, 0)))]
+    count = dataset.sizes[dimension]
+    if count > len(style.LINE_STYLES):
+        raise ValueError(
+            f"{count} profiles cannot be told apart in one figure; allowed: {len(style.LINE_STYLES)} values "
+            f"of {dimension} at most"
+        )
     found = []
-    for position in positions:
-        point = at_speed.isel({dimension: position}) if dimension else at_speed
-        point = point.isel(dict.fromkeys(point["converged"].dims, 0))
-        label = value_label(dataset, dimension, position) if dimension else ""
-        found.append(_profile(label, point))
+    for position in range(count):
+        one = point.isel({dimension: position})
+        one = one.isel(dict.fromkeys(one["converged"].dims, 0))
+        found.append(_profile(value_label(dataset, dimension, position), one))
     return found
 
 
@@ -75,8 +119,12 @@ def _profile(label: str, point: xr.Dataset) -> Profile:
 
 def swept_dimension(dataset: xr.Dataset) -> str | None:
     """The first dimension besides load, speed and node that has several values; None if there is none."""
+    return next(iter(_varied(dataset)), None)
+
+
+def _varied(dataset: xr.Dataset) -> list[str]:
     names = [str(name) for name in dataset["converged"].dims if name not in ("load", "speed")]
-    return next((name for name in names if dataset.sizes[name] > 1), None)
+    return [name for name in names if dataset.sizes[name] > 1]
 
 
 def contact_window(drawn: list[Profile], level: float = 1e-3) -> tuple[float, float]:
@@ -123,7 +171,7 @@ def separation_limit(drawn: list[Profile], window: tuple[float, float]) -> float
 
 def look(index: int) -> dict[str, Any]:
     """Line style of the index-th profile; colours are taken by the three fields."""
-    return {"linestyle": style.LINE_STYLES[index % len(style.LINE_STYLES)]}
+    return {"linestyle": style.LINE_STYLES[index]}
 
 
 def pressure_axis(drawn: list[Profile]) -> Quantity:

@@ -9,7 +9,6 @@ import xarray as xr
 from matplotlib.lines import Line2D
 
 from softlub.figures import fields, style
-from softlub.figures.curves import nearest_speed
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
 from softlub.figures.profiles import field_handles
 from softlub.figures.quantities import quantity
@@ -26,6 +25,7 @@ MODULE_LOOKS: tuple[dict[str, Any], ...] = (
 def draw(
     dataset: xr.Dataset,
     speed: float | None = None,
+    load: float | None = None,
     solvers: Sequence[str] | None = None,
     height: float = 3.0,
 ) -> DataFigure:
@@ -39,6 +39,8 @@ def draw(
         With dimension solver and fields over nodes; the last iterates of failed points are kept there.
     speed : float, optional
         [m/s]; the dataset's closest is taken.
+    load : float, optional
+        [N/m]; of a dataset with several loads the closest is taken, the middle one by default.
     solvers : sequence of str, optional
         First words of the solvers' labels to be drawn, besides the Newton solution; by default the first three.
     height : float
@@ -48,13 +50,14 @@ def draw(
     -------
     DataFigure
     """
-    speed = nearest_speed(dataset, speed)
-    everyone = [p for p in fields.profiles(dataset, speed, "solver") if p.x.size]
+    at = fields.where(dataset, speed, load)
+    everyone = [p for p in fields.profiles(dataset, at, "solver") if p.x.size]
     newton = [p for p in everyone if style.solver_of(p.solver) in style.NEWTON_SOLVERS][:1]
     modules = [p for p in everyone if _wanted(p, solvers)]
     drawn = newton + modules
     with styled():
         figure = new_figure(style.PAGE, height)
+        figure.notes += [at.sentence, style.SOLVERS_EXPLAINED]
         left, right = figure.subplots(1, 2)
         window = fields.contact_window(newton or drawn)
         position = quantity("x", max(abs(window[0]), abs(window[1])))
@@ -65,7 +68,7 @@ def draw(
             panel.letter(panel.name)
             panel.axes.set_xlim(*position.shown(window))
         separation.axes.set_ylim(0.0, float(separation.y.shown(film)))
-        separation.axes.set_title(f"v = {style.power(speed)} m/s", loc="right")
+        separation.axes.set_title(at.title, loc="right")
         for profile in newton:
             draw_profile(pressure, separation, profile, NEWTON_LOOK)
         for profile, look in zip(modules, MODULE_LOOKS, strict=False):

@@ -46,11 +46,14 @@ class DataFigure(Figure):
     Attributes
     ----------
     series : list of Series
+    notes : list of str
+        Sentences that the caption needs to be understood, such as the speed and the load that were chosen.
     """
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
         self.series: list[Series] = []
+        self.notes: list[str] = []
         FigureCanvasAgg(self)
 
 
@@ -90,7 +93,8 @@ class Panel:
         Parameters
         ----------
         series : str
-            Name in the figure's data, and in the legend unless `label` says otherwise.
+            Name in the legend unless `label` says otherwise, and, without marks of mathematical type, in the
+            figure's data.
         x, y : array_like, shape (n,)
             In SI; NaN leaves a gap.
         label : str, optional
@@ -105,7 +109,7 @@ class Panel:
         matplotlib.lines.Line2D
         """
         x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
-        self.record(Series(self.name, series, self.x, self.y, x, y, flags=flags))
+        self.record(Series(self.name, style.plain(series), self.x, self.y, x, y, flags=flags))
         legend = series if label is None else label
         in_doubt = doubtful(flags) if flags is not None else np.zeros(x.shape, dtype=bool)
         sound = np.where(in_doubt, np.nan, y)

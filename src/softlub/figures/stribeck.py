@@ -38,6 +38,8 @@ def draw(dataset: xr.Dataset, variable: str = "friction_coefficient", height: fl
         if variable.startswith("separation"):
             panel.axes.set_yscale("log")
         draw_curves(panel, dataset, variable)
+        if dataset.sizes.get("solver", 1) > 1:
+            figure.notes.append(style.SOLVERS_EXPLAINED)
         if not variable.startswith("separation"):
             panel.axes.set_ylim(bottom=min(0.0, panel.axes.get_ylim()[0]))
         panel.legend()

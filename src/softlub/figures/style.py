@@ -21,7 +21,16 @@ PURPLE = "#CC79A7"
 GREY = "#7F7F7F"
 
 CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
-LINE_STYLES: tuple[Any, ...] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1, 1, 1)))
+LINE_STYLES: tuple[Any, ...] = (
+    "-",
+    "--",
+    ":",
+    "-.",
+    (0, (5, 1, 1, 1, 1, 1)),
+    (0, (8, 2)),
+    (0, (1, 3)),
+    (0, (8, 2, 1, 2)),
+)
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
 FLUID, SOLID, SEPARATION = BLUE, GREEN, VERMILION
@@ -46,6 +55,13 @@ NAMES = {
     "mass_conserving": "mass-conserving cavitation",
 }
 """How a name of a study file reads in a figure."""
+
+SOLVERS_EXPLAINED = (
+    "Newton solves film, asperities and elasticity at once by Newton's method; BML, MEHL and EHL are the source's "
+    "modules for boundary, mixed and full-film lubrication, which go through the same equations in turn until nothing "
+    "changes."
+)
+"""What the names of solvers mean, for captions."""
 
 FAILED_MARKER = "x"
 """Mark of a point that did not converge, on the edge of its panel; the curve has a gap there."""
@@ -90,6 +106,29 @@ def power(value: float) -> str:
     mantissa, _, exponent = text.partition("e")
     factor = "" if mantissa == "1" else rf"{mantissa}\times "
     return rf"${factor}10^{{{int(exponent)}}}$"
+
+
+def plain(text: str) -> str:
+    r"""Text without the marks of mathematical type: ``"$h_\mathrm{rms}$ = 1 µm"`` becomes ``"h_rms = 1 µm"``.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    str
+    """
+    return re.sub(r"\$([^$]*)\$", lambda found: _plain_formula(found.group(1)), text)
+
+
+def _plain_formula(formula: str) -> str:
+    # 10^{-5}, with or without a factor before it, is a number, written here as programs write it.
+    number = re.fullmatch(r"(?:([\d.]+)\\times )?10\^\{(-?\d+)\}", formula)
+    if number:
+        return f"{float(number.group(1) or 1) * 10.0 ** int(number.group(2)):g}"
+    words = re.sub(r"\\math[a-z]*\{([^}]*)\}", r"\1", formula)
+    return re.sub(r"[{}]|\\(?=[a-z])", "", words.replace(r"\times", "×"))
 
 
 def signed(value: float) -> str:

@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.lines import Line2D
 
 from softlub.figures import fields, style
-from softlub.figures.curves import Curve, curves, nearest_speed
+from softlub.figures.curves import Curve, curves
 from softlub.figures.module_comparison import MODULE_LOOKS, NEWTON_LOOK, draw_profile
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
 from softlub.figures.profiles import field_handles, field_panels
@@ -20,7 +20,9 @@ COLOURS = (style.BLACK, style.PURPLE, style.ORANGE, style.SKY)
 """Of the solvers over speed; the three fields of the profiles have taken blue, green and red."""
 
 
-def draw(dataset: xr.Dataset, speed: float | None = None, height: float = 4.6) -> DataFigure:
+def draw(
+    dataset: xr.Dataset, speed: float | None = None, load: float | None = None, height: float = 4.6
+) -> DataFigure:
     """Draw profiles by each solver (a), and what each needs over speed (b–d); failed points as crosses.
 
     Parameters
@@ -29,6 +31,8 @@ def draw(dataset: xr.Dataset, speed: float | None = None, height: float = 4.6) -
         With dimension solver and fields over nodes.
     speed : float, optional
         Of the profiles [m/s].
+    load : float, optional
+        [N/m]; of a dataset with several loads the closest is taken, the middle one by default.
     height : float
         Of the figure [inch].
 
@@ -36,18 +40,19 @@ def draw(dataset: xr.Dataset, speed: float | None = None, height: float = 4.6) -
     -------
     DataFigure
     """
-    speed = nearest_speed(dataset, speed)
-    drawn = fields.profiles(dataset, speed, "solver")
+    at = fields.where(dataset, speed, load)
+    drawn = fields.profiles(dataset, at, "solver")
     with styled():
         figure = new_figure(style.PAGE, height)
+        figure.notes += [at.sentence, style.SOLVERS_EXPLAINED]
         axes = figure.subplot_mosaic([["a", "b"], ["a", "c"], ["a", "d"]], width_ratios=[1.25, 1])
         pressure, separation = field_panels(axes["a"], drawn)
         looks = _profile_looks(drawn)
         for profile, look in zip(drawn, looks, strict=True):
             draw_profile(pressure, separation, profile, look)
         pressure.letter("a")
-        pressure.axes.set_title(f"v = {style.power(speed)} m/s", loc="right")
-        swept = [curve for curve in curves(dataset) if _is_module(curve)]
+        pressure.axes.set_title(at.title, loc="right")
+        swept = [curve for curve in curves(dataset.sel(load=[at.load])) if _is_module(curve)]
         for letter, variable in zip("bcd", EFFORT, strict=True):
             panel = Panel(axes[letter], quantity("speed"), _axis(variable, dataset), letter)
             panel.letter(letter)

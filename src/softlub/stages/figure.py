@@ -30,13 +30,15 @@ def run(spec: Mapping[str, Any], inputs: Mapping[str, Sequence[Path]], outputs: 
     """
     dataset = store.read(inputs["study"][0])
     captions = [path for path in outputs if path.suffix == ".rst"]
-    save(draw(spec["draw"], dataset, **spec["options"]), [path for path in outputs if path not in captions])
+    figure = draw(spec["draw"], dataset, **spec["options"])
+    save(figure, [path for path in outputs if path not in captions])
     studies = {path.stem: path for path in (*inputs["study"], *inputs["judged"])}
 
     def open_dataset(study: str) -> xr.Dataset | None:
         return store.read(studies[study]) if study in studies else None
 
     claims = read_claims(inputs["claims"][0])
-    text = caption(spec["figure"], DRAWINGS[spec["draw"]].shows, dataset, claims, open_dataset)
+    shows = " ".join([DRAWINGS[spec["draw"]].shows, *figure.notes])
+    text = caption(spec["figure"], shows, dataset, claims, open_dataset)
     for path in captions:
         write_text(path, text)

@@ -9,11 +9,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from softlub.study.fields import Choice, JsonSchema, Quantity, Words
+from softlub.study.fields import Choice, JsonSchema, Quantity, Text, Words
 from softlub.study.outputs import OUTPUTS, SCALARS
 from softlub.units import Unit
 
 SPEED = Quantity(Unit("m/s", above=0))
+LOAD = Quantity(Unit("N/m", above=0))
 HEIGHT = Quantity(Unit("1", above=1, at_most=20))
 """Of a figure [inch]; every drawing has it."""
 VARIABLE = Choice(tuple(name for group in SCALARS for name in OUTPUTS[group]))
@@ -64,9 +65,19 @@ DRAWINGS: dict[str, Drawing] = {
     "stribeck": Drawing(options={"variable": VARIABLE}),
     "load_share": Drawing(),
     "friction_and_separation": Drawing(),
-    "profiles": Drawing(fields=True, options={"speed": SPEED, "amplify": Quantity(Unit("1", above=0))}),
-    "sweep_comparison": Drawing(fields=True, needs="solver", options={"speed": SPEED}),
-    "module_comparison": Drawing(fields=True, needs="solver", options={"speed": SPEED, "solvers": MODULES}),
+    "profiles": Drawing(
+        fields=True,
+        options={
+            "speed": SPEED,
+            "load": LOAD,
+            "amplify": Quantity(Unit("1", above=0)),
+            "amplified": Text(),
+        },
+    ),
+    "sweep_comparison": Drawing(fields=True, needs="solver", options={"speed": SPEED, "load": LOAD}),
+    "module_comparison": Drawing(
+        fields=True, needs="solver", options={"speed": SPEED, "load": LOAD, "solvers": MODULES}
+    ),
     "parameter_study": Drawing(needs="field"),
     "regime_map": Drawing(
         needs="sample", options={"cells": Quantity(Unit("1", at_least=2, at_most=500), whole=True)}
