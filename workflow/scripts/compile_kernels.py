@@ -1,9 +1,10 @@
 """Compile every solver's kernels once, so that no job of the first run has to: numba keeps them beside the sources."""
 
+from softlub.contact import sweep as contact_sweep
 from softlub.contact.laws.persson import PerssonLaw
 from softlub.lubrication import HalfSpaceCylinder, Lubricant, Problem
 from softlub.lubrication.solvers import SOLVERS, finer, make_solver
-from softlub.surfaces import SelfAffine
+from softlub.surfaces import SelfAffine, synthesize
 
 MODULUS = 13.3e6
 SURFACE = SelfAffine(rms_roughness=1e-6, hurst=0.8, rolloff=1e4, cutoff=7.8e9)
@@ -21,3 +22,6 @@ for solver in (*map(make_solver, SOLVERS), make_solver("mehl", reynolds_sweep="n
     for one in (solver, finer(solver)):
         if one is not None:
             one.sweep(PROBLEM, [0.1])
+
+rough = synthesize(SelfAffine(rms_roughness=1e-6, hurst=0.8, rolloff=2e5, cutoff=2e6), 64e-6, 64, seed=1)
+contact_sweep(rough, MODULUS, [0.01 * MODULUS, 0.1 * MODULUS])
