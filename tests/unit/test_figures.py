@@ -11,6 +11,8 @@ from synthetic_datasets import fail, sample, skip, stribeck, work_precision
 
 from softlub.datasets.variables import FLAGS
 from softlub.figures import DRAWINGS, draw, style
+from softlub.figures.curves import curves
+from softlub.figures.looks import looks
 from softlub.figures.panel import DataFigure
 from softlub.figures.quantities import quantity
 from softlub.figures.sample import first_order_index
@@ -171,12 +173,72 @@ def test_doubtful_points_are_drawn_thin_and_explained(name, lines, flag):
     assert (
         text
         == {
-            "outside_half_space": "thin: outside the half-space model",
+            "outside_half_space": "thin: no half-space",
             "inaccurate": "thin: inaccurate",
         }[flag]
     )
     for series, same in zip(figure.series, before.series, strict=True):
         assert np.array_equal(series.y, same.y)
+
+
+def two_inputs(moduli=3, roughnesses=3):
+    return stribeck(
+        dimensions={
+            "young_modulus": 1e7 * np.arange(1, moduli + 1),
+            "rms_roughness": 1e-6 * np.arange(1, roughnesses + 1),
+        }
+    )
+
+
+def test_first_input_by_colour_second_by_dashes():
+    found = np.array(looks(list(curves(two_inputs())))).reshape(3, 3)
+    colours = [[look["color"] for look in row] for row in found]
+    dashes = [[look["linestyle"] for look in row] for row in found]
+    assert all(len(set(row)) == 1 for row in colours)
+    assert len({row[0] for row in colours}) == 3
+    assert dashes[0] == dashes[1] == dashes[2] == ["-", "--", ":"]
+
+
+@pytest.mark.parametrize(
+    "dimensions",
+    [
+        {"young_modulus": np.linspace(1e7, 5e7, 16)},
+        {"solver": ["auto", "auto domain=±1mm", "auto domain=±2mm", "mehl", "mehl sweep=newton_raphson"]},
+        {"solver": ["auto", "bml", "ehl"], "young_modulus": [1e7, 2e7, 5e7]},
+    ],
+)
+def test_no_two_curves_look_alike(dimensions):
+    found = looks(list(curves(stribeck(dimensions=dimensions))))
+    assert len({(look["color"], look["linestyle"], look.get("marker")) for look in found}) == len(found)
+
+
+def test_curves_that_would_look_alike_are_refused():
+    with pytest.raises(ValueError, match="7 colours for the first swept input"):
+        draw("parameter_study", two_inputs(8, 2))
+
+
+@pytest.mark.parametrize(
+    ("name", "most"),
+    [("stribeck", 16), ("parameter_study", 16), ("load_share", 8), ("friction_and_separation", 8)],
+)
+def test_more_curves_than_a_figure_holds_are_refused(name, most):
+    assert draw(name, stribeck(dimensions={"young_modulus": np.linspace(1e7, 5e7, most)})).series
+    with pytest.raises(ValueError, match=f"{most + 1} curves and tells {most} apart; sweep fewer"):
+        draw(name, stribeck(dimensions={"young_modulus": np.linspace(1e7, 5e7, most + 1)}))
+
+
+@pytest.mark.parametrize("name", ["stribeck", "parameter_study", "load_share", "friction_and_separation"])
+@pytest.mark.parametrize(("count", "below"), [(1, False), (5, True)])
+def test_long_legends_stand_below_the_axes_and_within_the_figure(name, count, below):
+    figure = draw(name, stribeck(dimensions={"young_modulus": np.linspace(1e7, 5e7, count)}))
+    assert bool(figure.legends) == below
+    assert any(axes.get_legend() is not None for axes in figure.axes) == (not below and name[0] in "lf")
+    figure.draw_without_rendering()
+    for legend in figure.legends:
+        box = legend.get_window_extent()
+        assert box.x0 >= 0
+        assert box.x1 <= figure.bbox.x1
+        assert all(box.y1 < axes.get_window_extent().y0 for axes in figure.axes)
 
 
 def test_other_flags_leave_curves_as_they_are():

@@ -15,11 +15,12 @@ from softlub.figures.quantities import FloatArray, quantity
 
 
 class Curve(NamedTuple):
-    """One curve over speed and what tells it from its fellows."""
+    """One curve over speed and what tells it from its fellows: `places` are its positions along what is swept."""
 
     label: str
     data: xr.Dataset
     position: int
+    places: tuple[tuple[str, int], ...] = ()
 
     @property
     def hersey_number(self) -> FloatArray:
@@ -54,7 +55,7 @@ def doubtful(flags: np.ndarray) -> np.ndarray:
 
 def doubts(flags: np.ndarray) -> str:
     """What the flags `DOUBTFUL` among these say, for a legend."""
-    words = {"outside_half_space": "outside the half-space model", "inaccurate": "inaccurate"}
+    words = {"outside_half_space": "no half-space", "inaccurate": "inaccurate"}
     return " or ".join(words[name] for name in DOUBTFUL if (np.asarray(flags) & FLAGS[name]).any())
 
 
@@ -83,12 +84,9 @@ def curves(dataset: xr.Dataset) -> Iterator[Curve]:
     choices = itertools.product(*(range(scalars.sizes[name]) for name in dimensions))
     for count, choice in enumerate(choices):
         picked = dict(zip(dimensions, choice, strict=True))
-        label = ", ".join(
-            value_label(scalars, name, position)
-            for name, position in picked.items()
-            if scalars.sizes[name] > 1
-        )
-        yield Curve(label, scalars.isel(picked), count)
+        places = tuple((name, position) for name, position in picked.items() if scalars.sizes[name] > 1)
+        label = ", ".join(value_label(scalars, name, position) for name, position in places)
+        yield Curve(label, scalars.isel(picked), count, places)
 
 
 def value_label(dataset: xr.Dataset, dimension: str, position: int) -> str:

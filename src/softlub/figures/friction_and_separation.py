@@ -6,8 +6,12 @@ import xarray as xr
 
 from softlub.figures import style
 from softlub.figures.load_share import newton_curves
-from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.looks import MOST_DASHED, dashes, handles, refuse_many
+from softlub.figures.panel import DataFigure, Panel, new_figure, place_legend, styled
 from softlub.figures.quantities import quantity
+
+COLOURS = (style.BLACK, style.SEPARATION)
+"""Of friction and separation."""
 
 
 def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
@@ -35,23 +39,25 @@ def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
         left.set_xscale("log")
         separation.axes.set_yscale("log")
         chosen = newton_curves(dataset)
+        refuse_many("friction_and_separation", len(chosen), MOST_DASHED)
+        named = {friction.y.label: COLOURS[0], separation.y.label: COLOURS[1]}
+        friction.handles += handles(named, chosen)
         for curve in chosen:
             suffix = f", {curve.label}" if curve.label else ""
-            linestyle = style.LINE_STYLES[curve.position % len(style.LINE_STYLES)]
-            for panel, colour in ((friction, style.BLACK), (separation, style.SEPARATION)):
+            for panel, colour in zip((friction, separation), COLOURS, strict=True):
                 panel.line(
                     f"{panel.y.label}{suffix}",
                     curve.hersey_number,
                     curve.values(panel.y.name),
+                    label="",
                     flags=curve.flags,
                     color=colour,
-                    linestyle=linestyle,
+                    linestyle=dashes(curve),
                 )
             friction.mark_failed(curve.hersey_number[curve.failed])
         colour_axis(separation, style.SEPARATION)
         left.set_ylim(bottom=0.0)
-        friction.handles.extend(handle for handle in separation.handles if handle.get_gid() is None)
-        friction.legend(loc="upper center")
+        place_legend(figure, friction, loc="upper center")
         return figure
 
 

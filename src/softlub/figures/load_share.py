@@ -7,8 +7,11 @@ import xarray as xr
 from softlub.datasets.minimum import friction_minimum
 from softlub.figures import style
 from softlub.figures.curves import Curve, curves
-from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.looks import MOST_DASHED, dashes, handles, refuse_many
+from softlub.figures.panel import DataFigure, Panel, new_figure, place_legend, styled
 from softlub.figures.quantities import quantity
+
+COLOURS = {"fluid": style.FLUID, "asperities": style.SOLID}
 
 
 def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
@@ -31,10 +34,12 @@ def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
         panel = Panel(figure.subplots(), quantity("hersey_number"), share, "a")
         panel.axes.set_xscale("log")
         chosen = newton_curves(dataset)
+        refuse_many("load_share", len(chosen), MOST_DASHED)
+        panel.handles += handles(COLOURS, chosen)
         for curve in chosen:
             _draw_curve(panel, curve, alone=len(chosen) == 1)
         panel.axes.set_ylim(-0.04, 1.04)
-        panel.legend(loc="center right")
+        place_legend(figure, panel, loc="center right")
         return figure
 
 
@@ -50,15 +55,15 @@ def newton_curves(dataset: xr.Dataset) -> list[Curve]:
 def _draw_curve(panel: Panel, curve: Curve, alone: bool) -> None:
     solid = curve.values("load_share_solid")
     suffix = f", {curve.label}" if curve.label else ""
-    linestyle = style.LINE_STYLES[curve.position % len(style.LINE_STYLES)]
-    for name, share, colour in (("fluid", 1 - solid, style.FLUID), ("asperities", solid, style.SOLID)):
+    for name, share in (("fluid", 1 - solid), ("asperities", solid)):
         panel.line(
             f"{name}{suffix}",
             curve.hersey_number,
             share,
+            label="",
             flags=curve.flags,
-            color=colour,
-            linestyle=linestyle,
+            color=COLOURS[name],
+            linestyle=dashes(curve),
         )
     panel.mark_failed(curve.hersey_number[curve.failed])
     least = friction_minimum(curve.data)

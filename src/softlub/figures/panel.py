@@ -216,6 +216,33 @@ def styled() -> Any:
     return matplotlib.rc_context(settings)
 
 
+MOST_INSIDE = 4
+"""Entries of a legend that find room between the curves."""
+ROW = 0.15
+"""Height of a row of a legend [inch]."""
+SAMPLE, LETTER = 0.5, 0.056
+"""Width of an entry's line with the blanks around it, and of a letter [inch]."""
+
+
+def place_legend(figure: DataFigure, panel: Panel, **options: Any) -> None:
+    """The panel's legend inside it, or below all panels where it has too many entries; the figure grows by it.
+
+    Parameters
+    ----------
+    figure : DataFigure
+    panel : Panel
+    **options
+        Of a legend inside.
+    """
+    if len(panel.handles) <= MOST_INSIDE:
+        panel.legend(**options)
+        return
+    longest = max(len(style.plain(str(handle.get_label()))) for handle in panel.handles)
+    columns = int(np.clip(figure.get_figwidth() // (SAMPLE + LETTER * longest), 1, 4))
+    figure.set_figheight(figure.get_figheight() + ROW * -(-len(panel.handles) // columns))
+    share_legend(figure, [panel], columns)
+
+
 def share_legend(figure: DataFigure, panels: Sequence[Panel], columns: int) -> None:
     """One legend below all panels; equal names appear once."""
     every = [handle for panel in panels for handle in panel.handles]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import xarray as xr
 
 from softlub.figures import style
-from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.panel import DataFigure, Panel, new_figure, place_legend, styled
 from softlub.figures.quantities import quantity
 from softlub.figures.stribeck import draw_curves
 
@@ -37,5 +37,5 @@ def draw(dataset: xr.Dataset, height: float = 2.6) -> DataFigure:
         draw_curves(friction, dataset, "friction_coefficient")
         draw_curves(separation, dataset, "separation_min", legend=False)
         friction.axes.set_ylim(bottom=0.0)
-        friction.legend()
+        place_legend(figure, friction)
         return figure

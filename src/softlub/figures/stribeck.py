@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy as np
 import xarray as xr
 
 from softlub.figures import style
-from softlub.figures.curves import Curve, curves
-from softlub.figures.panel import DataFigure, Panel, new_figure, styled
+from softlub.figures.curves import curves
+from softlub.figures.looks import MOST_CURVES, looks, refuse_many
+from softlub.figures.panel import DataFigure, Panel, new_figure, place_legend, styled
 from softlub.figures.quantities import quantity
 
 
@@ -42,7 +40,7 @@ def draw(dataset: xr.Dataset, variable: str = "friction_coefficient", height: fl
             figure.notes.append(style.SOLVERS_EXPLAINED)
         if not variable.startswith("separation"):
             panel.axes.set_ylim(bottom=min(0.0, panel.axes.get_ylim()[0]))
-        panel.legend()
+        place_legend(figure, panel)
         return figure
 
 
@@ -58,33 +56,11 @@ def draw_curves(panel: Panel, dataset: xr.Dataset, variable: str, legend: bool =
         Whether the curves are named in the panel's legend.
     """
     all_curves = list(curves(dataset))
+    refuse_many("this figure", len(all_curves), MOST_CURVES)
     rows = {curve.position: row for row, curve in enumerate(c for c in all_curves if c.failed.any())}
-    for curve in all_curves:
-        look = _look(curve)
+    for curve, look in zip(all_curves, looks(all_curves), strict=True):
         # A single curve needs no name: the axis says what it is.
         name = curve.label or panel.y.label
         shown = None if legend and curve.label else ""
         panel.line(name, curve.hersey_number, curve.values(variable), shown, curve.flags, **look)
         panel.mark_failed(curve.hersey_number[curve.failed], look["color"], rows.get(curve.position, 0))
-
-
-def _look(curve: Curve) -> dict[str, Any]:
-    solver = style.solver_of(str(curve.data["solver"].values)) if "solver" in curve.data.coords else ""
-    if solver in style.SOLVER_MARKERS:
-        return {
-            "color": style.SOLVER_COLOURS[solver],
-            "marker": style.SOLVER_MARKERS[solver],
-            "linestyle": "none",
-            "markerfacecolor": "white",
-            "zorder": 3,
-        }
-    if solver in style.NEWTON_SOLVERS:
-        plain = str(curve.data["solver"].values) == solver
-        return {"color": style.BLACK if plain else style.GREY, "linestyle": "-" if plain else "--"}
-    few = np.isfinite(curve.values("friction_coefficient")).sum() < 25
-    return {
-        "color": style.CYCLE[curve.position % len(style.CYCLE)],
-        "linestyle": style.LINE_STYLES[curve.position % len(style.LINE_STYLES)],
-        "marker": style.MARKERS[curve.position % len(style.MARKERS)] if few else None,
-        "markersize": 2.5,
-    }

@@ -19,6 +19,8 @@ BLUE = "#0072B2"
 VERMILION = "#D55E00"
 PURPLE = "#CC79A7"
 GREY = "#7F7F7F"
+SLATE = "#444444"
+"""For what stands for no colour in particular, beside black and grey that do."""
 
 CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 LINE_STYLES: tuple[Any, ...] = (

@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 
 from softlub.figures import fields, style
 from softlub.figures.curves import Curve, curves
+from softlub.figures.looks import refuse_many
 from softlub.figures.module_comparison import MODULE_LOOKS, NEWTON_LOOK, draw_profile
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
 from softlub.figures.profiles import field_handles, field_panels
@@ -102,11 +103,10 @@ def _look(curve: Curve) -> dict[str, Any]:
 
 def _profile_looks(drawn: list[fields.Profile]) -> list[dict[str, Any]]:
     """The Newton solution as a broad band, the others as dashes, circles, dots."""
-    others = iter(MODULE_LOOKS * len(drawn))
-    return [
-        NEWTON_LOOK if style.solver_of(profile.solver) in style.NEWTON_SOLVERS else next(others)
-        for profile in drawn
-    ]
+    newton = [profile for profile in drawn if style.solver_of(profile.solver) in style.NEWTON_SOLVERS][:1]
+    refuse_many("sweep_comparison", len(drawn), len(newton) + len(MODULE_LOOKS))
+    others = iter(MODULE_LOOKS)
+    return [NEWTON_LOOK if any(profile is one for one in newton) else next(others) for profile in drawn]
 
 
 def _legend(
