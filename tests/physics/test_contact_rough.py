@@ -167,3 +167,27 @@ def test_residual_is_that_of_the_maps(tolerance: float) -> None:
     assert residual == pytest.approx(found.residual, rel=1e-2, abs=1e-15)
     assert residual <= tolerance
     assert found.residuals[-1] == found.residual
+
+
+def test_a_large_grid_starts_from_a_coarser_one() -> None:
+    """Smaller grids do without the cascade; the contact must be the same as theirs."""
+    surface = rough(1024, shortest=8 * SIZE / 1024)
+    found = contact.solve(surface, MODULUS, 0.05 * scale(surface), tolerance=1e-5)
+    assert found.converged
+    assert found.convolutions < 30
+    assert abs(found.load_error) < 1e-12
+    coarser = rough(512, shortest=8 * SIZE / 1024)
+    half = contact.solve(coarser, MODULUS, 0.05 * scale(surface), tolerance=1e-5)
+    assert found.contact_area_ratio == pytest.approx(half.contact_area_ratio, rel=0.01)
+    assert found.mean_gap == pytest.approx(half.mean_gap, rel=0.01)
+
+
+def test_solutions_of_one_contact_do_not_share_their_maps() -> None:
+    surface = rough(32)
+    contacts = contact.RoughContact(surface, MODULUS)
+    light = contacts.solve(0.01 * scale(surface))
+    kept = light.pressure.copy(), light.gap.copy()
+    contacts.solve(0.1 * scale(surface))
+    contacts.solve(10 * scale(surface))
+    np.testing.assert_array_equal(light.pressure, kept[0])
+    np.testing.assert_array_equal(light.gap, kept[1])

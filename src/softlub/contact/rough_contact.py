@@ -78,11 +78,10 @@ class RoughContact:
         return self._solution(pressure, full, progress, self._minimisation.convolutions - before)
 
     def _minimise(self, load: float, start: NDArray[np.floating] | None) -> Progress:
+        found = self._minimisation
         if start is None:
-            first = self._minimisation.first_pressure(load)
-        else:
-            first = self._given(start, load)
-        return self._minimisation.solve(first, load, self._tolerance, self._iterations)
+            return found.solve(found.first_pressure(load), load, self._tolerance, self._iterations)
+        return found.solve(self._given(start, load), load, self._tolerance, self._iterations)
 
     def _given(self, start: NDArray[np.floating], load: float) -> NDArray[np.float32]:
         if start.shape != self.topography.heights.shape:
@@ -100,9 +99,12 @@ class RoughContact:
     ) -> ContactSolution:
         found = self._minimisation
         residual = found.residual
+        pressures, gap = found.take()
+        pressures *= self._scales.pressure  # in place: large grids have no room for other arrays
+        gap *= self._scales.height
         return ContactSolution(
-            pressure=found.pressure * self._scales.pressure,
-            gap=(found.gap - found.level) * self._scales.height,
+            pressure=pressures,
+            gap=gap,
             nominal_pressure=pressure,
             rigid_approach=(self._highest + found.level) * self._scales.height,
             periodic=self.topography.periodic,

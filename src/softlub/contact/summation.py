@@ -34,6 +34,10 @@ class SummedCompliance:
         sum_influences(self.source, self._influence, self.result)
         return float(np.vdot(self.source, self.result))
 
+    def renew(self) -> None:
+        """Take new arrays for `source` and `result`; the old ones belong to whoever holds them."""
+        self.source, self.result = np.empty_like(self.source), np.empty_like(self.result)
+
 
 @compiled
 def sum_influences(source, influence, result):  # type: ignore[no-untyped-def]

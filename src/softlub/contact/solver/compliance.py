@@ -26,6 +26,10 @@ class Compliance(Protocol):
         """Fill `result` from `source`; return the sum over the grid of source times result."""
         ...
 
+    def renew(self) -> None:
+        """Take new arrays for `source` and `result`; the old ones belong to whoever holds them."""
+        ...
+
 
 class PeriodicCompliance:
     """Compliance 1 / |θ| of every wave of the period; the mean displacement is zero by convention, K(0) = 0.
@@ -66,6 +70,11 @@ class PeriodicCompliance:
         self._transform.inverse()
         return energy
 
+    def renew(self) -> None:
+        """Take new arrays for `source` and `result`; the old ones belong to whoever holds them."""
+        self._transform.renew()
+        self.source, self.result = self._transform.source, self._transform.result
+
     def stiffness_of_source(self) -> None:
         """Fill `result` with the pressure that displaces the surface by `source`: the factor |θ|."""
         self.count += 1
@@ -105,6 +114,10 @@ class FreeCompliance:
         self._transform.inverse()
         self.result[:] = self._transform.result[:nx, :ny]
         return energy
+
+    def renew(self) -> None:
+        """Take new arrays for `source` and `result`; the old ones belong to whoever holds them."""
+        self.source, self.result = np.empty_like(self.source), np.empty_like(self.result)
 
     def stiffness_of_source(self) -> None:
         """Fill `result` with |θ| times `source`, the surrounding taken as zero: near the inverse of `apply`."""

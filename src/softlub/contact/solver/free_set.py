@@ -197,3 +197,20 @@ def residual_squares(pressure, gap, level):
         count += row_count
         square += row_square
     return count, square
+
+
+@compiled
+def keep_carrying(pressure, gap, level, out):
+    """Fill `out` with the pressure, less that of points about to leave the contact; return its sum."""
+    nx, ny = pressure.shape
+    number = pressure.dtype.type
+    zero, least = number(0), number(RELEASE)
+    total = 0.0
+    for i in range(nx):
+        row_total = 0.0
+        for j in range(ny):
+            carried = pressure[i, j] if pressure[i, j] > least * (gap[i, j] - level) else zero
+            out[i, j] = carried
+            row_total += carried
+        total += row_total
+    return total

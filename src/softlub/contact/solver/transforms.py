@@ -14,7 +14,10 @@ from numpy.typing import NDArray
 
 SPECTRUM_TYPES = {np.dtype(np.float32): np.complex64, np.dtype(np.float64): np.complex128}
 MEASURED_POINTS = 128 * 128
-"""From this many points on the time spent on measuring plans is repaid within one solution."""
+"""From this many points on the time spent on measuring plans is repaid, in single precision.
+
+Double precision judges each load with a transform or two, which would not repay it.
+"""
 
 
 class RealTransform:
@@ -40,7 +43,8 @@ class RealTransform:
         self.source: NDArray[Any] = pyfftw.zeros_aligned(shape, dtype=dtype)
         self.result: NDArray[Any] = pyfftw.zeros_aligned(shape, dtype=dtype)
         self.spectrum: NDArray[Any] = pyfftw.zeros_aligned(half, dtype=SPECTRUM_TYPES[np.dtype(dtype)])
-        effort = "FFTW_MEASURE" if shape[0] * shape[1] >= MEASURED_POINTS else "FFTW_ESTIMATE"
+        measured = np.dtype(dtype) == np.float32 and shape[0] * shape[1] >= MEASURED_POINTS
+        effort = "FFTW_MEASURE" if measured else "FFTW_ESTIMATE"
         self._forward = pyfftw.FFTW(self.source, self.spectrum, axes=(0, 1), flags=(effort,))
         self._inverse = pyfftw.FFTW(
             self.spectrum, self.result, axes=(0, 1), direction="FFTW_BACKWARD", flags=(effort,)
@@ -48,6 +52,13 @@ class RealTransform:
         # measuring plans leaves rubbish behind
         self.source[:] = 0
         self.result[:] = 0
+
+    def renew(self) -> None:
+        """Take new real arrays; the old ones belong to whoever holds them."""
+        self.source = pyfftw.empty_aligned(self.source.shape, dtype=self.source.dtype)
+        self.result = pyfftw.empty_aligned(self.result.shape, dtype=self.result.dtype)
+        self._forward.update_arrays(self.source, self.spectrum)
+        self._inverse.update_arrays(self.spectrum, self.result)
 
     def forward(self) -> None:
         """Transform `source` into `spectrum`."""
