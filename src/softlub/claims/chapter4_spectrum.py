@@ -103,12 +103,13 @@ def kappa_of_exponents(datasets: Datasets) -> Verdict:
 def _falling_kappa(kappas: list[Kappa]) -> Verdict:
     values, forward = ([getattr(k, name) for k in kappas] for name in ("corrected", "forward"))
     change, other = values[-1] / values[0] - 1, forward[-1] / forward[0] - 1
+    pixels = kappas[-1].pixel / kappas[0].pixel - 1
     return judge(
         all(a > b for a, b in pairwise(values)) and change < -0.1,
         listed(kappas),
-        f"from H = 0.1 to 0.8 the corrected kappa changes by {100 * change:+.0f} %, by {100 * other:+.0f} % over the "
-        f"forward-difference h'rms; clearly means by more than 10 %: what is left of the dependence once h'rms "
-        f"normalises the load hangs on its estimator. {beside(kappas)}",
+        f"over the Hurst exponents the count of pixels changes kappa by {100 * pixels:+.0f} %, the corrected area by "
+        f"{100 * change:+.0f} %, and by {100 * other:+.0f} % over the forward-difference h'rms; clearly "
+        f"means by more than 10 % of the corrected area. {beside(kappas)}",
     )
 
 

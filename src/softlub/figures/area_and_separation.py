@@ -65,6 +65,11 @@ def draw(dataset: xr.Dataset, height: float = 3.1) -> DataFigure:
                 panel.mark_failed(x[curve.failed], colour, index)
         _draw_theories(area, kappa)
         _limit(area, kappa, separation, curves)
+        counts = sorted({curve.realisations for curve in curves})
+        if counts[-1] > 1:
+            figure.notes.append(
+                f"Curves are means of {' to '.join(map(str, counts))} realisations, thin lines their bounds."
+            )
         share_legend(figure, [area, kappa, separation], 4)
         return figure
 
@@ -183,5 +188,3 @@ def _limit(area: Panel, kappa: Panel, separation: Panel, curves: Sequence[Contac
     )
     kappa.axes.set_ylim(0.0, 1.05 * max(highest, BUSH))
     separation.axes.set_ylim(bottom=0.0)
-    counts = sorted({curve.realisations for curve in curves})
-    separation.axes.set_title(f"realisations: {'–'.join(map(str, counts))}", loc="right")
