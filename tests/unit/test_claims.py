@@ -393,8 +393,99 @@ def test_studies_of_a_figure():
     assert studies_of("mine", CLAIMS) == ()
 
 
-def test_caption_names_the_domain_and_the_sources_beside_it():
+def domain_of(*reach, hertz=3.125e-4, **attributes):
+    dataset = stribeck(SPEEDS, {"solver": [f"auto {i}" for i in range(len(reach))]})
+    dataset["half_domain"], dataset["hertz_half_width"] = ("solver", list(reach)), ((), hertz)
+    dataset.attrs |= attributes
+    return dataset
+
+
+@pytest.mark.parametrize(
+    ("reach", "text"),
+    [
+        ([0.02], "Domain: ±20 mm, 64 Hertz half-widths."),
+        ([1e-3, 0.02], "Domain: ±1 and ±20 mm, 3.2 and 64 Hertz half-widths."),
+        ([1e-3, 2e-3, 0.02], "Domain: ±1, ±2 and ±20 mm, 3.2, 6.4 and 64 Hertz half-widths."),
+        ([1e-3, 2e-3, 3e-3, 0.02], "Domain: ±1 to ±20 mm, 3.2 to 64 Hertz half-widths."),
+    ],
+)
+def test_caption_names_the_domain_and_what_it_decides(reach, text):
+    said = caption("mine", "A picture.", domain_of(*reach))
+    assert text in said
+    assert "decides friction and film where the fluid carries all of the load" in said
+
+
+def test_caption_names_the_sources_domain_beside_ours():
+    assert "(the source takes ±1 mm)" in caption("fig_3_16", "A picture.", domain_of(0.02), CLAIMS)
+    assert "the source takes" not in caption("mine", "A picture.", domain_of(0.02), CLAIMS)
+
+
+def test_stand_ins_are_the_sources_in_its_studies_only():
+    entries = {"stand_ins": '[{"key": "grid", "reason": "because"}]'}
     dataset = stribeck()
-    dataset["half_domain"], dataset["hertz_half_width"] = ((), 0.02), ((), 3.125e-4)
-    assert "Domain: ±20 mm, 64 Hertz half-widths." in caption("mine", "A picture.", dataset)
-    assert "the source takes ±1 mm" in caption("fig_3_16", "A picture.", dataset, CLAIMS)
+    dataset.attrs |= entries | {"study": "my-seal"}
+    assert "\n\nStand-ins: grid: because.\n" in caption("mine", "A picture.", dataset)
+    dataset.attrs["study"] = "ch3-modulus"
+    assert "Stand-ins for what the source does not print: grid: because." in caption(
+        "mine", "A picture.", dataset
+    )
+
+
+def test_statements_name_another_study_and_stay_out_of_ones_own():
+    dataset = with_share(0.018)
+    dataset.attrs["study"] = "ch3-stribeck"
+    text = caption("fig_3_16", "A picture.", dataset, CLAIMS, {"ch3-stribeck": dataset}.get)
+    assert "(claim_3_24, line 1299)" in text
+    assert "(claim_3_14, line 1212; computed from ch3-profiles)" in text
+    dataset.attrs["study"] = "my-seal"
+    assert "source" not in caption("fig_3_16", "A picture.", dataset, CLAIMS)
+
+
+def test_the_domain_is_judged_where_it_is_drawn():
+    (row,) = (c for c in CLAIMS if c.id == "claim_3_01")
+    assert set(row.figures) == {"fig_3_17", "domain"}
+
+
+# what a verdict rests on
+
+
+def test_a_stand_in_chosen_to_fit_decides_nothing():
+    dataset = profiles()
+    for share in (1e-5, 0.3):
+        dataset["load_share_solid"].values[2] = share
+        ours = verdict("claim_3_17", ch3_profiles=dataset)
+        assert ours.verdict == "not decidable"
+        assert f"{share:.1e} with gamma = 0.45" in ours.value
+    reasons = [verdict(f"claim_3_{row}", ch3_profiles=dataset).reason for row in (12, 15, 16, 17)]
+    assert all("that gamma was chosen because" in reason for reason in reasons)
+
+
+def test_what_holds_by_construction_says_so():
+    curve = with_share(0.003)
+    for row in ("eq_3_38", "claim_3_22", "table_3_1"):
+        ours = verdict(row, ch3_stribeck=curve)
+        assert (ours.verdict, ours.reason[:15]) == ("reproduced", "by construction")
+    models = stribeck(SPEEDS, {"cavitation": ["reynolds", "mass_conserving"]})
+    models["friction_coefficient"].values[1] = models["friction_coefficient"].values[0]
+    assert "no evidence but an identity of the model" in verdict("claim_3_02", ch3_cavitation=models).reason
+    assert "lambda is the smallest separation" in verdict("claim_2_07", ch3_stribeck=curve).reason
+
+
+@pytest.mark.parametrize(
+    ("factor", "text"),
+    [(1.05, "5 percentage points below the limit;"), (1.0986, "0.14 percentage points below the limit, borderline"),
+     (1.101, "0.1 percentage points above the limit, borderline"), (1.5, "40 percentage points above the limit;")],
+)  # fmt: skip
+def test_margin_of_equal_boundary_friction(factor, text):
+    dataset = moduli()
+    dataset["friction_coefficient"].values[:] = dataset["friction_coefficient"].values[:1]
+    dataset["friction_coefficient"].values[2] *= factor
+    assert text in verdict("claim_3_27", ch3_modulus=dataset).reason
+
+
+def test_a_figure_of_mixed_statements_differs_in_part():
+    rows = [c for c in CLAIMS if "fig_3_16" in c.figures]
+    for share, in_part in ((0.018, True), (0.003, False)):
+        datasets = {"ch3-stribeck": with_share(share), "ch3-profiles": profiles()}
+        (ours,) = (j.verdict for j in evaluate(rows, datasets.get) if j.claim.id == "fig_3_16")
+        assert ours.reason.startswith("in part: ") == in_part

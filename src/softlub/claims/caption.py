@@ -19,6 +19,9 @@ from softlub.claims.table import Claim
 from softlub.claims.verdict import Word
 from softlub.datasets.variables import FLAG_EXPLANATIONS, FLAGS
 
+OF_THE_SOURCE = re.compile(r"ch\d+-")
+"""How the name of a study of the source begins."""
+
 HEADINGS: dict[Word, str] = {
     "reproduced": "Reproduced",
     "differs": "Differs",
@@ -54,28 +57,37 @@ def caption(
     str
         reStructuredText.
     """
-    about = [claim for claim in claims if figure in claim.figures and claim.kind != "figure"]
+    ours = str(dataset.attrs.get("study", ""))
+    # A figure of one's own may have the name of one of the source's and yet show something else.
+    about = [
+        claim
+        for claim in claims
+        if figure in claim.figures and claim.kind != "figure" and (not ours or OF_THE_SOURCE.match(ours))
+    ]
     title = str(dataset.attrs.get("title", "")).rstrip(".")
     parts = [f"**{escape(title)}.** {escape(shows)}" if title else escape(shows)]
     parts += [
         _state_of_points(dataset),
         _flagged_points(dataset),
         _domain(dataset, bool(about)),
-        _stand_ins(dataset),
+        _stand_ins(dataset, ours),
     ]
     if about:
         parts.append("What the source says of it, and our numbers:")
-        parts += [_statement(judgement) for judgement in evaluate(about, open_dataset)]
+        parts += [_statement(judgement, ours) for judgement in evaluate(about, open_dataset)]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
-def _statement(judgement: Judgement) -> str:
+def _statement(judgement: Judgement, study: str) -> str:
+    """A statement with its verdict, and the studies it was held against where they are not the figure's own."""
     claim, ours = judgement.claim, judgement.verdict
     value = f" {escape(_sentence(ours.value))}" if ours.value else ""
     reason = f" {escape(_sentence(ours.reason))}" if ours.reason else ""
+    others = [name.strip() for name in claim.study.split(";") if name.strip() not in ("", study)]
+    where = f"; computed from {', '.join(others)}" if others else ""
     return (
         f"- {escape(_sentence(claim.what))} **{HEADINGS[ours.verdict]}.**{value}{reason} "
-        f"({escape(claim.id)}, line {claim.line})"
+        f"({escape(claim.id)}, line {claim.line}{escape(where)})"
     )
 
 
@@ -131,33 +143,42 @@ def _speeds(where: xr.DataArray) -> str:
 
 
 def _domain(dataset: xr.Dataset, compared: bool) -> str:
-    """The domain in force, and beside it the source's where the figure is compared with the source."""
+    """The domain in force, what it decides, and the source's where the figure is compared with the source."""
     if "half_domain" not in dataset or "hertz_half_width" not in dataset:
         return ""
-    reach = np.atleast_1d(dataset["half_domain"].values) * 1e3
-    widths = np.atleast_1d((dataset["half_domain"] / dataset["hertz_half_width"]).values)
+    reach = dataset["half_domain"].values * 1e3
+    widths = (dataset["half_domain"] / dataset["hertz_half_width"]).values
     if not np.isfinite(reach).all():
         return ""
-    ours = f"Domain: ±{_range(reach)} mm, {_range(widths)} Hertz half-widths"
-    if not compared:
-        return escape(f"{ours}.")
-    return escape(f"{ours} (the source takes ±1 mm). It decides friction and film above some 0.1 m/s.")
+    ours = f"Domain: {_listed(reach, '±')} mm, {_listed(widths)} Hertz half-widths"
+    source = " (the source takes ±1 mm)" if compared else ""
+    return escape(
+        f"{ours}{source}. It is a convention that decides friction and film where the fluid carries all of the load: "
+        "for the contact of table 3-1 above some 0.1 m/s."
+    )
 
 
-def _range(values: np.ndarray) -> str:
-    low, high = float(values.min()), float(values.max())
-    return f"{low:.3g}" if np.isclose(low, high) else f"{low:.3g} to {high:.3g}"
+MOST_LISTED = 3
 
 
-def _stand_ins(dataset: xr.Dataset) -> str:
-    """Inputs that the source does not print."""
+def _listed(values: np.ndarray, sign: str = "") -> str:
+    """A few different values one by one, more of them as a range."""
+    different = [f"{sign}{text}" for text in dict.fromkeys(f"{value:.3g}" for value in np.unique(values))]
+    if len(different) > MOST_LISTED:
+        return f"{different[0]} to {different[-1]}"
+    return " and ".join(", ".join(different).rsplit(", ", 1))
+
+
+def _stand_ins(dataset: xr.Dataset, study: str) -> str:
+    """What stands in for what: in studies of the source for what it does not print."""
     stored = dataset.attrs.get("stand_ins")
     entries: Any = json.loads(stored) if isinstance(stored, str) and stored else stored
     if not entries:
         return ""
     pairs = entries.items() if isinstance(entries, dict) else [_stand_in(entry) for entry in entries]
     listed = "; ".join(f"{name}: {reason}" if name else str(reason) for name, reason in pairs)
-    return f"Stand-ins for what the source does not print: {escape(listed.rstrip('.'))}."
+    heading = "Stand-ins for what the source does not print" if OF_THE_SOURCE.match(study) else "Stand-ins"
+    return f"{heading}: {escape(listed.rstrip('.'))}."
 
 
 def _stand_in(entry: Any) -> tuple[str, str]:

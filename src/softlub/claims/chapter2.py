@@ -25,6 +25,7 @@ def film_over_roughness(datasets: Datasets) -> Verdict:
     return judge(
         at_one >= BOUNDARY_SHARE and at_ten <= FULL_FILM_SHARE,
         f"asperity share {at_one:.2g} at lambda = 1, {at_ten:.1g} at lambda = 10",
+        f"lambda is the smallest separation over the rms roughness; "
         f"reproduced if asperities carry at least {BOUNDARY_SHARE:g} of the load at 1 "
         f"and at most {FULL_FILM_SHARE:g} at 10",
     )

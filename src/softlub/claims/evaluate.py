@@ -83,7 +83,8 @@ def _figure_verdict(claim: Claim, claims: Sequence[Claim], judged: dict[str, Ver
     counts = "; ".join(f"{word}: {', '.join(rows)}" for word, rows in sorted(by_word.items()))
     reason = f"the source prints no data of this figure; judged by what it says about it ({counts})"
     if "differs" in by_word:
-        return Verdict("", "differs", reason)
+        mixed = "in part: " if "reproduced" in by_word else ""
+        return Verdict("", "differs", f"{mixed}{reason}")
     if "reproduced" in by_word and not by_word.keys() & {"not computed", "missing"}:
         return Verdict("", "reproduced", reason)
     if by_word.keys() & {"not computed", "missing"}:
