@@ -30,7 +30,7 @@ def _check(printed: PrintedSurface) -> Check:
         slope = forward / printed.rms_slope - 1
         return judge(
             abs(height) <= SAME and abs(slope) <= tolerance,
-            f"h_rms {roughness * 1e6:.3f} µm, h'rms {forward:.4f} by forward differences, "
+            f"rms roughness {roughness * 1e6:.3f} µm, rms slope {forward:.4f} by forward differences, "
             f"{known['rms_slope_spectral']:.4f} spectral",
             _reason(printed, height, slope, tolerance),
         )
@@ -39,7 +39,9 @@ def _check(printed: PrintedSurface) -> Check:
 
 
 def _reason(printed: PrintedSurface, height: float, slope: float, tolerance: float) -> str:
-    parts = [f"slope by forward differences {100 * slope:+.1f} %, reproduced within {100 * tolerance:.0f} %"]
+    parts = [
+        f"the slope by forward differences is off by {100 * slope:+.1f} %, reproduced within {100 * tolerance:.0f} %"
+    ]
     if abs(height) > SAME:
         parts.append(
             f"h_rms is {1 + height:.2g} times the printed one, whose slope would then be "
