@@ -55,3 +55,33 @@ rule stress_chunk:
         chunk=lambda wildcards: int(wildcards.chunk),
     script:
         "../scripts/run_benchmark.py"
+
+
+# Other projects' solvers, in an environment of their own; not part of `benchmarks`, since ASPHER must be compiled.
+rule peers:
+    input:
+        "results/benchmarks/peers.nc",
+
+
+rule peers_environment:
+    input:
+        code=str(ROOT / "workflow" / "scripts" / "make_peers_environment.py"),
+        requirements=str(ROOT / "benchmarks" / "peers-requirements.txt"),
+    output:
+        touch(".venv-peers/ready"),
+    shell:
+        "python {input.code} {input.requirements} .venv-peers"
+
+
+rule benchmark_peers:
+    input:
+        code=BENCHMARK_CODE.format(name="peers"),
+        peer=BENCHMARK_CODE.format(name="peer_solvers"),
+        environment=".venv-peers/ready",
+    output:
+        dataset="results/benchmarks/peers.nc",
+        pictures=multiext("results/benchmarks/peers", ".pdf", ".png", ".svg", ".csv"),
+    params:
+        python=".venv-peers/bin/python",
+    script:
+        "../scripts/run_benchmark.py"
