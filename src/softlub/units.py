@@ -70,7 +70,8 @@ def check(parameters: Any) -> None:
     ValueError
         Naming the class, the field, its value and what is allowed.
     """
-    for name, unit in _units(type(parameters)):
+    kind: type = type(parameters)
+    for name, unit in _units(kind):
         value = getattr(parameters, name)
         if value is not None and not unit.allows(value):
             raise ValueError(f"{type(parameters).__name__}: {name} = {value:g} must be {unit.allowed()}")

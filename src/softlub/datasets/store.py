@@ -40,7 +40,9 @@ def describe(dataset: xr.Dataset) -> xr.Dataset:
     return described
 
 
-def write(dataset: xr.Dataset, path: str | os.PathLike[str], attributes: dict[str, Any] | None = None) -> None:
+def write(
+    dataset: xr.Dataset, path: str | os.PathLike[str], attributes: dict[str, Any] | None = None
+) -> None:
     """Write a dataset as compressed netCDF-4, atomically.
 
     Parameters

@@ -46,7 +46,8 @@ def make_solver(name: str, **settings: Any) -> Any:
         raise ValueError(f"no solver is called {name!r}; there are {', '.join(SOLVERS)}")
     module, class_name = SOLVERS[name]
     arguments = {
-        key: make_solver(key, **value) if isinstance(value, Mapping) else value for key, value in settings.items()
+        key: make_solver(key, **value) if isinstance(value, Mapping) else value
+        for key, value in settings.items()
     }
     return getattr(import_module(module), class_name)(**arguments)
 
