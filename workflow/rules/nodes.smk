@@ -25,10 +25,10 @@ rule law:
         files=outside_files_of("law"),
     output:
         "{results}/law/{key}.nc",
-    params:
-        spec=spec_of("law", "{key}"),
     resources:
         mem_mb=memory_of_law,
+    params:
+        spec=spec_of("law", "{key}"),
     script:
         "../scripts/run_stage.py"
 
