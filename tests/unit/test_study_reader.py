@@ -242,6 +242,8 @@ MISTAKES = [
     ("figures", [{"draw": "profiles", "sped": 1}], ["did you mean speed?"]),
     ("figures", [{"draw": "profiles", "speed": "1 m"}], ["a speed"]),
     ("figures", [{"draw": "profiles", "speed": 5}], ["not among the speeds"]),
+    ("figures", [{"draw": "profiles", "load": 5}], ["asks for 5 N/m", "not among the loads"]),
+    ("figures", [{"draw": "profiles", "load": "5 m/s"}], ["5 m/s", "N/m"]),
     ("figures", [{"draw": "module_comparison"}], ["several solvers"]),
     ("figures", ["parameter_study"], ["a swept field"]),
     ("figures", ["regime_map"], ["a designed sample"]),
@@ -424,6 +426,21 @@ def test_the_drawings_are_those_that_are_drawn():
 
     # Work and precision is drawn of the benchmarks, whose datasets no study makes.
     assert set(KNOWN_DRAWINGS) == set(DRAWINGS) - {"work_precision"}
+
+
+@pytest.mark.parametrize(("draw", "most"), [("stribeck", 16), ("load_share", 8)])
+def test_more_curves_than_a_figure_tells_apart_are_refused(tmp_path, block, draw, most):
+    """The reader's numbers are the drawings' own."""
+    from softlub.figures import looks
+
+    def study(count):
+        values = [1e7 * step for step in range(1, count + 1)]
+        swept = changed(block, "grid/scene.body.material.young_modulus", values)
+        return write(tmp_path, changed(swept, "figures", [draw]))
+
+    assert KNOWN_DRAWINGS[draw].curves == most == (looks.MOST_CURVES if most == 16 else looks.MOST_DASHED)
+    assert load(study(most)).figures
+    assert f"would show {most + 1} curves and tells {most} apart" in message(study(most + 1))
 
 
 def test_options_of_drawings_are_those_of_their_functions():

@@ -14,6 +14,9 @@ from softlub.study.figures import Figure
 from softlub.study.messages import Problem
 from softlub.study.parsed import Study
 
+ALL_SOLVERS = ("stribeck", "parameter_study")
+"""Drawings that show the curves of every solver; the others show Newton's only."""
+
 
 def problems_of(study: Study) -> list[Problem]:
     """Everything wrong with a study whose entries are all right by themselves."""
@@ -71,13 +74,31 @@ def _figure_problems(study: Study) -> Iterator[Problem]:
             yield from _option_problems(study, figure)
 
 
-def _option_problems(study: Study, figure: Figure) -> Iterator[Problem]:
-    speed = figure.options.get("speed")
-    if speed is not None and all(abs(math.log(speed / own)) > 0.1 for own in study.speeds):
+def _curve_problems(study: Study, figure: Figure) -> Iterator[Problem]:
+    """More curves than the drawing tells apart."""
+    most = DRAWINGS[figure.draw].curves
+    count = math.prod([len(study.loads), *(len(sweep.values) for sweep in study.sweeps)])
+    if study.sample is not None:
+        count = study.sample.points
+    if figure.draw in ALL_SOLVERS:
+        count *= len(study.solvers)
+    if most and count > most:
         yield Problem(
             "figures",
-            f"{figure.name} asks for {speed:g} m/s, which is not among the speeds of the grid; add it there",
+            f"{figure.draw} ({figure.name}) would show {count} curves and tells {most} apart; sweep fewer values, or "
+            "make a study for each part of them",
         )
+
+
+def _option_problems(study: Study, figure: Figure) -> Iterator[Problem]:
+    yield from _curve_problems(study, figure)
+    for name, unit, there in (("speed", "m/s", study.speeds), ("load", "N/m", study.loads)):
+        wanted = figure.options.get(name)
+        if wanted is not None and all(abs(math.log(wanted / own)) > 0.1 for own in there):
+            yield Problem(
+                "figures",
+                f"{figure.name} asks for {wanted:g} {unit}, which is not among the {name}s of the grid; add it there",
+            )
     for name in figure.options.get("solvers", ()):
         if name not in [solver.name for solver in study.solvers]:
             yield Problem("figures", f"{figure.name} asks for the solver {name}, which is not in grid.solver")

@@ -48,6 +48,8 @@ class Drawing:
         surfaces of a rough contact: each is computed only when somebody needs it.
     needs : str
         What must be swept: ``"solver"``, ``"field"`` (of the scene), ``"sample"``; empty for nothing.
+    curves : int
+        Curves over speed that it tells apart; 0 where it draws no such curves.
     options : mapping
         Option -> how it is read.
     """
@@ -58,13 +60,14 @@ class Drawing:
     heights: bool = False
     topographies: bool = False
     needs: str = ""
+    curves: int = 0
     options: Mapping[str, Reader] = field(default_factory=dict)
 
 
 DRAWINGS: dict[str, Drawing] = {
-    "stribeck": Drawing(options={"variable": VARIABLE}),
-    "load_share": Drawing(),
-    "friction_and_separation": Drawing(),
+    "stribeck": Drawing(curves=16, options={"variable": VARIABLE}),
+    "load_share": Drawing(curves=8),
+    "friction_and_separation": Drawing(curves=8),
     "profiles": Drawing(
         fields=True,
         options={
@@ -78,7 +81,7 @@ DRAWINGS: dict[str, Drawing] = {
     "module_comparison": Drawing(
         fields=True, needs="solver", options={"speed": SPEED, "load": LOAD, "solvers": MODULES}
     ),
-    "parameter_study": Drawing(needs="field"),
+    "parameter_study": Drawing(needs="field", curves=16),
     "regime_map": Drawing(
         needs="sample", options={"cells": Quantity(Unit("1", at_least=2, at_most=500), whole=True)}
     ),
