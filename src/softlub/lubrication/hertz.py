@@ -1,39 +1,12 @@
-"""Hertz's dry line contact, which scales every lubricated one."""
+"""The units of the lubricated contact: those of Hertz's dry line contact at the same load."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-import numpy as np
+from softlub.references.hertz_line import HertzLineContact
 
 
-@dataclass(frozen=True)
-class HertzLine:
-    """Dry contact of a smooth cylinder, and the dimensionless numbers built on it.
-
-    Parameters
-    ----------
-    radius : float
-        R [m].
-    modulus : float
-        Plane-strain modulus E* [Pa].
-    load : float
-        W [N/m].
-    """
-
-    radius: float
-    modulus: float
-    load: float
-
-    @property
-    def half_width(self) -> float:
-        """a = √(4WR/(πE*)) [m]."""
-        return float(np.sqrt(4 * self.load * self.radius / (np.pi * self.modulus)))
-
-    @property
-    def peak_pressure(self) -> float:
-        """p0 = 2W/(πa) [Pa]."""
-        return float(2 * self.load / (np.pi * self.half_width))
+class HertzLine(HertzLineContact):
+    """Dry contact of the smooth cylinder, with the dimensionless numbers built on it."""
 
     @property
     def gap_scale(self) -> float:
@@ -41,5 +14,13 @@ class HertzLine:
         return self.half_width**2 / self.radius
 
     def speed_number(self, viscosity: float, speed: float) -> float:
-        """λ = 6ηvR²/(a³p0): the only number of the smooth isoviscous contact."""
+        """λ = 6ηvR²/(a³p0): the only number of the smooth isoviscous contact.
+
+        Parameters
+        ----------
+        viscosity : float
+            η [Pa s].
+        speed : float
+            v [m/s].
+        """
         return 6 * viscosity * speed * self.radius**2 / (self.half_width**3 * self.peak_pressure)
