@@ -51,6 +51,7 @@ NAMES = {
     "ehl": "EHL",
     "persson": "Persson integral",
     "exponential": "exponential law 3-11",
+    "boundary_element": "boundary elements",
     "gauss_seidel": "Gauss–Seidel sweep",
     "newton_raphson": "Newton–Raphson sweep",
     "reynolds": "Reynolds cavitation",
