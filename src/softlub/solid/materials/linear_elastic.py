@@ -3,13 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from softlub.solid.materials import material
 from softlub.units import PoissonRatio, Pressure
+
+if TYPE_CHECKING:
+    from softlub.solid.materials.isochoric import IsochoricNeoHooke
+
+INCOMPRESSIBLE_BULK_RATIO = 12000 / 7
+"""K/G that stands for a Poisson ratio of 0.5: 2000 MPa over the 3.5/3 MPa of the source's specimen.
+
+The source's materials L and Y, with K0 = 2000 MPa from D1 = 0.001 1/MPa, are as nearly incompressible.
+"""
 
 
 @dataclass(frozen=True)
 class LinearElastic:
     """Linear elastic material.
+
+    In a finite-element body it is the neo-Hookean material of its small-strain moduli: linear under small strains, and
+    free of stress under rotations of any size.
 
     Parameters
     ----------
@@ -23,6 +37,18 @@ class LinearElastic:
     poisson_ratio: PoissonRatio
 
     @property
+    def shear_modulus(self) -> float:
+        """G = E/(2 (1 + ν)) (equation 5-12) [Pa]."""
+        return self.young_modulus / (2 * (1 + self.poisson_ratio))
+
+    @property
+    def bulk_modulus(self) -> float:
+        """K = E/(3 (1 - 2ν)) (equation 5-13) [Pa]; `INCOMPRESSIBLE_BULK_RATIO` G for ν = 0.5."""
+        if self.poisson_ratio == 0.5:
+            return INCOMPRESSIBLE_BULK_RATIO * self.shear_modulus
+        return self.young_modulus / (3 * (1 - 2 * self.poisson_ratio))
+
+    @property
     def plane_strain_modulus(self) -> float:
         """E* = E/(1 - ν²) [Pa]: the reduced modulus of the one elastic body."""
         return self.young_modulus / (1 - self.poisson_ratio**2)
@@ -31,3 +57,14 @@ class LinearElastic:
     def long_term_modulus(self) -> float:
         """E [Pa]: the modulus that a shear strength given in parts of E refers to."""
         return self.young_modulus
+
+    def stiffened(self, factor: float) -> LinearElastic:
+        """The material with its shear modulus multiplied by a factor above 0 and the same bulk modulus."""
+        shear, bulk = factor * self.shear_modulus, self.bulk_modulus
+        return LinearElastic(material.young_modulus(shear, bulk), material.poisson_ratio(shear, bulk))
+
+    def element_material(self) -> IsochoricNeoHooke:
+        """A new felupe material of the isochoric response."""
+        from softlub.solid.materials.isochoric import IsochoricNeoHooke
+
+        return IsochoricNeoHooke(self.shear_modulus)
