@@ -1,6 +1,6 @@
 """CPU time of a curve of the study ch3-map, as its panel computes it: law, 13 speeds, error estimates, observables.
 
-Split into the default solver, the finer one that estimates its error, and the rest: laws, observables, stacking.
+Split into the solver, the finer one that estimates its error, and the rest: laws, observables, stacking.
 """
 
 import time
@@ -17,11 +17,16 @@ from softlub.figures.quantities import quantity
 from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.auto import Auto
+from softlub.lubrication.solvers.finite_volume import FiniteVolume
+from softlub.lubrication.solvers.spectral import Spectral
 from softlub.lubrication.speed_sweep import Solver, sweep_arrays
+from softlub.study.accuracy import PRESETS
 
 CURVES = 256
 SPEEDS = np.geomspace(*MAP_SPEEDS, 13)
 MAP_CURVES = 10_000
+DRAFT = PRESETS["draft"]
+"""The accuracy that the study asks for."""
 PARTS = ("solver", "error estimate", "observables and law")
 
 
@@ -42,9 +47,10 @@ class Timed:
 def measure() -> xr.Dataset:
     """CPU time of every curve by parts."""
     scenes = random_scenes(np.random.default_rng(3), MAP_RANGES, CURVES + 1)
+    chosen = Auto(Spectral(DRAFT.spectral_order), FiniteVolume(DRAFT.finite_volume_nodes))
     rows, flags = [], []
     for scene in scenes:
-        solver, finer = Timed(Auto()), Timed(Auto().refined())
+        solver, finer = Timed(chosen), Timed(chosen.refined())
         began = time.process_time()
         arrays = sweep_arrays(scene.problem(), [scene.load], SPEEDS.tolist(), solver, finer)
         whole = time.process_time() - began
