@@ -117,6 +117,15 @@ VARIABLES: dict[str, Variable] = {
     "deflection_hertz": Variable("m", "deflection of the half-space, closed form"),
     "contact_radius": Variable("m", "radius of the contact of a sphere", "2-3"),
     "seconds": Variable("s", "CPU time of a method"),
+    # soft solid
+    "stiffness": Variable(
+        "N/m2", "force on a node of the contact edge by the displacement of another", "5-3"
+    ),
+    "base_gap": Variable("m", "height of the contact edge above its lowest node in the base state"),
+    "node_width": Variable("m", "length along x that a node of the contact edge stands for, undeformed"),
+    "nodal_force": Variable("N/m", "force on a node of the contact edge", "5-3"),
+    "displacement": Variable("m", "displacement with the holder at rest"),
+    "component": Variable("1", "x along the sliding direction, y away from the plate"),
     # inputs of each curve
     "viscosity": Variable("Pa s", "viscosity of the lubricant"),
     "rms_roughness": Variable("m", "root mean square roughness"),
