@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import felupe
 import numpy as np
 
+from softlub.solid.mesh import BodyMesh
+
 
 @dataclass(frozen=True)
 class Rubber:
@@ -46,3 +48,14 @@ def on_the_edge(mesh):
     """Which nodes lie on the outline of a block."""
     points = mesh.points
     return np.any((points == points.min(axis=0)) | (points == points.max(axis=0)), axis=1)
+
+
+def rounded_block(columns=24, rows=6, radius=1e-3, width=1e-3, height=1e-3):
+    """A block with a parabolic underside, x² / (2 radius), held at its top."""
+    plain = rectangle(width, height, columns, rows)
+    x, y = plain.points.T
+    x = x - width / 2
+    bottom = x**2 / (2 * radius)
+    points = np.column_stack([x, bottom + (height - bottom) * y / height])
+    nodes = np.arange(len(points))
+    return BodyMesh(points, plain.cells, nodes[: columns + 1], nodes[-(columns + 1) :])

@@ -29,6 +29,7 @@ class Assembly:
 
     def __init__(self, cells: IndexArray, nodes: int) -> None:
         self.size = 2 * nodes
+        self._cells = cells.T.astype(np.int64)
         self._element_dofs = np.stack([2 * cells.T, 2 * cells.T + 1], axis=1)  # (4, 2, m)
 
     def vector(self, element_forces: FloatArray) -> FloatArray:
@@ -65,9 +66,22 @@ class Assembly:
 
     @cached_property
     def _pattern(self) -> tuple[IndexArray, NDArray[np.int32], NDArray[np.int32]]:
-        """Place of every element entry among the matrix's, their columns, and the starts of the rows."""
-        dofs = self._element_dofs.astype(np.int64)
-        key = (dofs[:, :, None, None] * self.size + dofs[None, None]).ravel()
-        entries, place = np.unique(key, return_inverse=True)
-        starts = np.searchsorted(entries, np.arange(self.size + 1) * self.size)
-        return place, (entries % self.size).astype(np.int32), starts.astype(np.int32)
+        """Place of every element entry among the matrix's, their columns, and the starts of the rows.
+
+        Found for pairs of nodes first, each of which is a block of two rows and two columns.
+        """
+        nodes = self.size // 2
+        pairs, block = np.unique(self._cells[:, None] * nodes + self._cells[None], return_inverse=True)
+        row, column = np.divmod(pairs, nodes)
+        starts = np.searchsorted(row, np.arange(nodes + 1))
+        count = np.diff(starts)[row]
+        within = np.arange(pairs.size) - starts[row]
+        component = np.arange(2)
+        # Four entries for every pair of the rows above, then those of this row's first component.
+        corner = 4 * starts[row] + 2 * within
+        places = corner[:, None, None] + 2 * count[:, None, None] * component[:, None] + component
+        indices = np.empty(4 * pairs.size, dtype=np.int32)
+        indices[places] = 2 * column[:, None, None] + component
+        row_starts = 4 * starts[:-1, None] + 2 * np.diff(starts)[:, None] * component
+        element_places = places[block.reshape(4, 4, -1)].transpose(0, 3, 1, 4, 2).ravel()
+        return element_places, indices, np.append(row_starts.ravel(), indices.size).astype(np.int32)

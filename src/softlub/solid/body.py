@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from softlub.solid.assembly import Assembly
-from softlub.solid.elements import ELEMENTS
+from softlub.solid.elements import ELEMENTS, ElementInverted
 
 if TYPE_CHECKING:
     from softlub.solid.mesh import BodyMesh
@@ -38,10 +38,6 @@ FloatArray = NDArray[np.float64]
 
 SECOND_VOLUME_DERIVATIVE = np.array([[0.0, 1.0], [-1.0, 0.0]])
 """ε of ∂²J/∂F_iJ ∂F_kL = ε_ik ε_JL, which in the plane depends on no deformation."""
-
-
-class ElementInverted(RuntimeError):
-    """An element is turned inside out, so that its material has no stress."""
 
 
 class BodyMaterial(Protocol):
@@ -192,6 +188,23 @@ class Body:
         stiffness[:, 0, :, 0] += self._hourglass
         stiffness[:, 1, :, 1] += self._hourglass
         return self._assembly.matrix(stiffness)
+
+    def tangent_at(self, displacement: FloatArray) -> csr_matrix:
+        """Exact derivative of the nodal forces at a displacement, no pressure lagging behind.
+
+        Parameters
+        ----------
+        displacement : ndarray, shape (n, 2)
+            Of all nodes [m].
+
+        Returns
+        -------
+        csr_matrix, shape (2n, 2n)
+            As `tangent` returns it.
+        """
+        self.forces(displacement)
+        self.forces(displacement)
+        return self.tangent()
 
     def stress(self) -> FloatArray:
         """Cauchy stress at the last displacement, mean over each element.

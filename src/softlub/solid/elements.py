@@ -18,6 +18,10 @@ HOURGLASS_PATTERN = np.array([1.0, -1.0, 1.0, -1.0])
 """Nodal signs of the mode ξη, which one point in the middle does not see."""
 
 
+class ElementInverted(RuntimeError):
+    """An element is turned inside out, so that its material has no stress."""
+
+
 class ElementKind(Protocol):
     """What the body asks of a kind of element."""
 
