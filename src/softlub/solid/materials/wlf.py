@@ -8,6 +8,9 @@ from typing import Annotated
 from softlub.solid.materials.prony import PronySeries
 from softlub.units import Unit, check
 
+LARGEST_EXPONENT = 300.0
+"""lg a_T is not followed beyond this."""
+
 
 @dataclass(frozen=True)
 class WilliamsLandelFerry:
@@ -51,14 +54,15 @@ class WilliamsLandelFerry:
         ValueError
             If T lies at or below T_ref - K2, where the formula has its pole and nothing relaxes any more.
         """
-        above = temperature - self.reference_temperature
-        if not -self.second_constant < above < float("inf"):
-            lowest = self.reference_temperature - self.second_constant
+        lowest = self.reference_temperature - self.second_constant
+        if not lowest < temperature < float("inf"):
             raise ValueError(
                 f"temperature {temperature:g} K must be finite and above {lowest:g} K = T_ref - K2, below which the "
                 "shift of Williams, Landel and Ferry has no meaning"
             )
-        return float(10 ** (-self.first_constant * above / (self.second_constant + above)))
+        above = temperature - self.reference_temperature
+        # Just above the pole the factor exceeds every number.
+        return float(10 ** min(-self.first_constant * above / (temperature - lowest), LARGEST_EXPONENT))
 
     def at_temperature(self, prony: PronySeries, temperature: float) -> PronySeries:
         """A series known at T_ref, at the temperature T [K]; refuses what `shift_factor` refuses."""
