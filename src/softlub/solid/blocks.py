@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from softlub.solid.mesh import FloatArray, IntArray
+from softlub.solid.mesh import BodyMesh, FloatArray, IntArray
 
 BISECTIONS = 60
 """Halvings of the interval of the ratio: to the last bit."""
@@ -15,7 +15,7 @@ LARGEST_RATIO = 1e3
 """Ratio of neighbouring cells that no mesh comes near."""
 
 
-def graded(first: ArrayLike, length: ArrayLike, cells: int) -> FloatArray:
+def graded(first: ArrayLike, length: ArrayLike, cells: int, even: int = 0) -> FloatArray:
     """Ends of cells that grow in a constant ratio over a length.
 
     Parameters
@@ -26,6 +26,8 @@ def graded(first: ArrayLike, length: ArrayLike, cells: int) -> FloatArray:
         Length that the cells fill [m].
     cells : int
         Number of cells.
+    even : int
+        How many cells at the end are as long as the last growing one.
 
     Returns
     -------
@@ -33,7 +35,7 @@ def graded(first: ArrayLike, length: ArrayLike, cells: int) -> FloatArray:
         From 0 to `length` [m].
     """
     first, length = np.broadcast_arrays(np.asarray(first, dtype=float), np.asarray(length, dtype=float))
-    powers = np.arange(cells)
+    powers = np.minimum(np.arange(cells), cells - 1 - even)
     wanted = np.maximum(length / first, cells)
     low, high = np.zeros(first.shape), np.full(first.shape, np.log(LARGEST_RATIO))
     for _ in range(BISECTIONS):
@@ -43,7 +45,8 @@ def graded(first: ArrayLike, length: ArrayLike, cells: int) -> FloatArray:
     sizes = np.exp(low[..., None] * powers)
     ends = np.cumsum(sizes, axis=-1) / sizes.sum(axis=-1, keepdims=True)
     ends[..., -1] = 1.0
-    return np.concatenate([np.zeros((*first.shape, 1)), ends * length[..., None]], axis=-1)
+    starts = np.zeros((*first.shape, 1), dtype=np.float64)
+    return np.concatenate([starts, ends * length[..., None]], axis=-1)
 
 
 def even_positions(edge_width: float, edge_nodes: int) -> FloatArray:
@@ -60,7 +63,8 @@ def even_positions(edge_width: float, edge_nodes: int) -> FloatArray:
     ndarray, shape (edge_nodes,)
         From -edge_width/2 to edge_width/2 [m], equal on both sides to the last bit.
     """
-    return edge_width / (edge_nodes - 1) * (np.arange(edge_nodes) - (edge_nodes - 1) / 2)
+    steps = np.arange(edge_nodes, dtype=np.float64) - (edge_nodes - 1) / 2
+    return steps * (edge_width / (edge_nodes - 1))
 
 
 def symmetric_positions(edge_width: float, edge_nodes: int, width: float, flank_columns: int) -> FloatArray:
@@ -84,6 +88,23 @@ def symmetric_positions(edge_width: float, edge_nodes: int, width: float, flank_
     return np.concatenate([-flank[::-1], edge, flank])
 
 
+def level(positions: FloatArray, height: float) -> FloatArray:
+    """Points at one height.
+
+    Parameters
+    ----------
+    positions : ndarray, shape (k,)
+        x [m].
+    height : float
+        y [m].
+
+    Returns
+    -------
+    ndarray, shape (k, 2)
+    """
+    return np.stack([positions, np.full_like(positions, height)], axis=1)
+
+
 def block_cells(columns: int, rows: int) -> IntArray:
     """Cells of a block whose nodes are numbered row by row, counter-clockwise where rows lie above each other.
 
@@ -100,21 +121,55 @@ def block_cells(columns: int, rows: int) -> IntArray:
     return corner[:, None] + np.array([0, 1, columns + 2, columns + 1])
 
 
-def columns_between(bottom: FloatArray, top: FloatArray, shares: FloatArray) -> FloatArray:
-    """Nodes on straight columns from one curve to another.
+def columns_between(bottom: FloatArray, top: FloatArray, first_heights: ArrayLike, rows: int) -> FloatArray:
+    """Nodes on straight columns from one curve to another, closest to each other at the bottom.
 
     Parameters
     ----------
     bottom, top : ndarray, shape (k, 2)
         Ends of the columns [m].
-    shares : ndarray, shape (k, rows + 1)
-        Distances of the nodes from the bottom as parts of the column's length, 0 to 1.
+    first_heights : array_like, shape () or (k,)
+        Lengths of the lowest cells [m].
+    rows : int
+        Number of cells from bottom to top.
 
     Returns
     -------
     ndarray, shape (rows + 1, k, 2)
     """
-    return bottom + (top - bottom) * shares.T[..., None]
+    way = top - bottom
+    length = np.hypot(way[:, 0], way[:, 1])
+    shares = graded(first_heights, length, rows) / length[:, None]
+    return bottom + way * shares.T[..., None]
+
+
+def one_block(
+    bottom: FloatArray, top: FloatArray, first_heights: ArrayLike, rows: int, flank_columns: int
+) -> BodyMesh:
+    """Mesh of columns between a lower and an upper side, held along the upper one.
+
+    Parameters
+    ----------
+    bottom, top : ndarray, shape (k, 2)
+        Ends of the columns from left to right [m].
+    first_heights : array_like, shape () or (k,)
+        Lengths of the lowest cells [m].
+    rows : int
+    flank_columns : int
+        Cells on either side that do not belong to the contact edge.
+
+    Returns
+    -------
+    BodyMesh
+    """
+    nodes = columns_between(bottom, top, first_heights, rows)
+    node = np.arange(len(bottom))
+    return BodyMesh(
+        points=nodes.reshape(-1, 2),
+        cells=block_cells(node.size - 1, rows),
+        edge=node[flank_columns : node.size - flank_columns],
+        held=node + rows * node.size,
+    )
 
 
 def transfinite(lower: FloatArray, upper: FloatArray, left: FloatArray, right: FloatArray) -> FloatArray:

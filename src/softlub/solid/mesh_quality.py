@@ -27,7 +27,8 @@ class MeshQuality:
     aspect : float
         Largest ratio of the longest to the shortest side of a cell.
     jump : float
-        Largest ratio of the heights of two cells above their common side.
+        Largest ratio of the extents of two neighbours, each from the middle of their common side to that of the
+        opposite one.
     hanging_nodes : int
         Nodes in the middle of another cell's side or in the place of another node.
     boundaries : int
@@ -70,9 +71,10 @@ def inspect(mesh: BodyMesh) -> MeshQuality:
     turn = before[..., 0] * sides[..., 1] - before[..., 1] * sides[..., 0]
     areas = cell_areas(mesh)
     inner, outer = _sides(mesh.cells)
-    own = lengths.ravel()
-    heights = areas[inner // 4] / own[inner]
-    ratio = heights[:, 0] / heights[:, 1]
+    middles = corners + sides / 2
+    across = np.roll(middles, -2, axis=1) - middles
+    extents = np.hypot(across[..., 0], across[..., 1]).ravel()[inner]
+    ratio = extents[:, 0] / extents[:, 1]
     return MeshQuality(
         nodes=len(mesh.points),
         cells=len(mesh.cells),

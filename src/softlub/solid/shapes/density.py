@@ -47,3 +47,25 @@ class MeshDensity:
     def height_at_edge(self, edge_width: float) -> float:
         """Height of the cells at the contact edge [m]."""
         return self.edge_spacing(edge_width) if self.first_height is None else self.first_height
+
+
+def refuse_wide_edge(shape: str, edge_width: float, width: float) -> None:
+    """Refuse a contact edge that leaves nothing of the body on either side of it.
+
+    Parameters
+    ----------
+    shape : str
+        Name of the shape, for the message.
+    edge_width, width : float
+        Of the contact edge and of the body [m].
+
+    Raises
+    ------
+    ValueError
+        If the contact edge is as wide as the body, or wider.
+    """
+    if edge_width >= width:
+        raise ValueError(
+            f"{shape}: the contact edge, {edge_width:g} m wide, is not narrower than the body, {width:g} m; make the "
+            "edge narrower or the body wider"
+        )

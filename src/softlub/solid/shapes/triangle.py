@@ -8,10 +8,10 @@ from typing import Annotated
 
 import numpy as np
 
-from softlub.solid.blocks import block_cells, columns_between, graded, symmetric_positions
+from softlub.solid.blocks import level, one_block, symmetric_positions
 from softlub.solid.mesh import BodyMesh, FloatArray
 from softlub.solid.mesh_quality import sound
-from softlub.solid.shapes.density import MeshDensity
+from softlub.solid.shapes.density import MeshDensity, refuse_wide_edge
 from softlub.units import Length, Unit, check
 
 SPREAD = 2.8
@@ -60,11 +60,7 @@ class TriangularSpecimen:
                 f"would be {2 * self._tangent_point:g} m wide in a body of width = {self.width:g} m; allowed is a "
                 f"tip_radius below {self.width / 2 / sin(self.flank_angle):.6g} m"
             )
-        if self.edge_width >= self.width:
-            raise ValueError(
-                f"TriangularSpecimen: edge_width = {self.edge_width:g} m must be below the body's width = "
-                f"{self.width:g} m; make the contact edge narrower"
-            )
+        refuse_wide_edge("TriangularSpecimen", self.edge_width, self.width)
 
     @property
     def _tangent_point(self) -> float:
@@ -125,14 +121,8 @@ class TriangularSpecimen:
         """
         x = symmetric_positions(self.edge_width, density.edge_nodes, self.width, density.flank_columns)
         bottom = np.stack([x, self.profile(x)], axis=1)
-        top = np.stack([self._top_positions(x), np.full_like(x, self.height)], axis=1)
-        heights = top[:, 1] - bottom[:, 1]
-        shares = graded(self._first_heights(x, density), heights, density.rows) / heights[:, None]
-        nodes = columns_between(bottom, top, shares)
-        node = np.arange(x.size)
-        edge = node[density.flank_columns : x.size - density.flank_columns]
-        cells = block_cells(x.size - 1, density.rows)
-        mesh = BodyMesh(nodes.reshape(-1, 2), cells, edge, node + density.rows * x.size)
+        top = level(self._top_positions(x), self.height)
+        mesh = one_block(bottom, top, self._first_heights(x, density), density.rows, density.flank_columns)
         return sound(mesh, "triangular specimen", self.area)
 
     def _top_positions(self, x: FloatArray) -> FloatArray:
