@@ -28,6 +28,8 @@ COLUMNS = {
     "loss_modulus": PRESSURES,
 }
 FEWEST_FREQUENCIES = 4
+NEGLIGIBLE = 1e-6
+"""Terms that add less than this to every measured modulus are left out."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +39,7 @@ class PronyFit:
     Parameters
     ----------
     series : PronySeries
-        Relative to the long-term modulus, without terms of 0.
+        Relative to the long-term modulus, without negligible terms.
     long_term_shear_modulus : float
         G∞ [Pa].
     storage_residual, loss_residual : ndarray, shape (n,)
@@ -101,7 +103,7 @@ def read_dmta(path: str | Path) -> DynamicModulus:
 def fit_prony(
     measured: DynamicModulus,
     bulk_modulus: float = np.inf,
-    times_per_decade: float = 2.0,
+    times_per_decade: float = 10.0,
     decades_beyond: float = 1.0,
 ) -> PronyFit:
     """Fit a Prony series to measured tensile moduli.
@@ -114,7 +116,8 @@ def fit_prony(
         Elastic K [Pa], by which tension turns into shear: G* = 3KE*/(9K - E*). Without it the material is
         incompressible, G* = E*/3.
     times_per_decade : float, optional
-        Relaxation times on offer per decade of frequency.
+        Relaxation times on offer per decade of frequency; the fit takes few of them. A material with one relaxation
+        time between two of those on offer is met within 0.5 % with 10 a decade, and within some 10 % with 2.
     decades_beyond : float, optional
         Decades by which they go beyond the measured band on either side.
 
@@ -138,10 +141,11 @@ def fit_prony(
     system = np.concatenate([storage / shear.real[:, None], loss / shear.imag[:, None]])
     moduli, _ = nnls(system, np.ones(2 * frequency.size))
     long_term = float(moduli[0])
-    used = np.flatnonzero(moduli[1:] > 0)
+    moduli[np.max(system * moduli, axis=0) < NEGLIGIBLE] = 0
+    used = np.flatnonzero(moduli[1:])
     if long_term == 0 or used.size == 0:
         what = "a liquid: no long-term modulus" if long_term == 0 else "elastic: no relaxation"
-        raise ValueError(f"the moduli fit to {what}; measure at lower and higher frequencies")
+        raise ValueError(f"the moduli fit to {what}; measure over more frequencies")
     series = PronySeries(
         tuple(times[used].tolist()), tuple((moduli[1:][used] / long_term).tolist()), "long_term"
     )
