@@ -6,7 +6,7 @@ import numpy as np
 
 from softlub.datasets.variables import FLAGS
 from softlub.lubrication.friction import friction
-from softlub.lubrication.problem import Problem
+from softlub.lubrication.problem import HalfSpaceCylinder, Problem
 from softlub.lubrication.result import FloatArray, LubricatedContact
 
 WIDTH_LEVEL = 1e-3
@@ -97,7 +97,8 @@ def _flags(contact: LubricatedContact, problem: Problem, values: dict[str, float
         return FLAGS["not_converged"]
     half_width = 0.5 * values["contact_width"]
     raised = {
-        "outside_half_space": half_width > PARABOLA_LIMIT * problem.body.radius,
+        "outside_half_space": isinstance(problem.body, HalfSpaceCylinder)
+        and half_width > PARABOLA_LIMIT * problem.body.radius,
         "percolates": values["contact_area_ratio_max"] > PERCOLATION_AREA,
         "law_extrapolated": contact.separation_min < problem.law.separation_range[0],
         "domain_truncates": _pressure_reaches_edge(contact),

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from softlub.datasets.variables import FLAGS
+from softlub.lubrication.meshed_body import MeshedBody
 from softlub.lubrication.observables import observe
 from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
@@ -62,7 +64,9 @@ def sweep(
         v [m/s]; each load is continued along them.
     solver : Solver
     finer : Solver, optional
-        The same solver on a finer grid; its difference is the error estimate of each point.
+        The same solver on a finer grid; its difference is the error estimate of each point. A meshed body has no
+        finer one: its film on every second node takes that part, where the number of nodes is odd, and the estimate
+        is of the coarser one's error.
     fields : bool
         Whether pressures and separation over x are kept.
 
@@ -125,7 +129,7 @@ def _sweep_speeds(
     arrays = _observables(contacts, problem)
     arrays["solver_seconds"] = seconds
     if finer is not None:
-        _estimate_errors(arrays, _observables(finer.sweep(problem, speeds), problem))
+        _estimate_errors(arrays, problem, speeds, solver, finer)
     if fields:
         arrays.update(_fields(contacts))
     return arrays
@@ -147,8 +151,19 @@ def _observables(contacts: Sequence[LubricatedContact], problem: Problem) -> Arr
     return {name: np.array([point[name] for point in points]) for name in points[0]}
 
 
-def _estimate_errors(arrays: Arrays, finer: Arrays) -> None:
-    """Add the differences to a finer solution, and flag the points where they are large.
+def _estimate_errors(
+    arrays: Arrays, problem: Problem, speeds: Sequence[float], solver: Solver, finer: Solver
+) -> None:
+    """Compare with a second grid: a finer one, or the coarser one that a meshed body leaves."""
+    if not isinstance(problem.body, MeshedBody):
+        _compare(arrays, _observables(finer.sweep(problem, speeds), problem))
+    elif problem.body.can_be_halved:
+        coarser = replace(problem, body=problem.body.halved())
+        _compare(arrays, _observables(solver.sweep(coarser, speeds), coarser))
+
+
+def _compare(arrays: Arrays, finer: Arrays) -> None:
+    """Add the differences to a solution on another grid, and flag the points where they are large.
 
     A converged point whose finer copy failed keeps NaN estimates and is flagged too: nothing vouches for it.
     """

@@ -1,10 +1,11 @@
-"""The default: spectral elements, and finite volumes for the points that those leave unsolved."""
+"""The default: spectral elements, and finite volumes for the points that those leave unsolved or cannot treat."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from softlub.lubrication.meshed_body import MeshedBody
 from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.finite_volume import FiniteVolume
@@ -13,7 +14,9 @@ from softlub.lubrication.solvers.spectral import Spectral
 
 @dataclass(frozen=True)
 class Auto:
-    """Spectral elements with finite volumes to fall back on; mass-conserving films go to the latter at once.
+    """Spectral elements with finite volumes to fall back on.
+
+    Mass-conserving films and meshed bodies go to the latter at once.
 
     Parameters
     ----------
@@ -37,7 +40,7 @@ class Auto:
         -------
         LubricatedContact
         """
-        if problem.lubricant.cavitation == "mass_conserving":
+        if _beyond_spectral(problem):
             return self.finite_volume.solve(problem, start)
         contact = self.spectral.solve(problem, start)
         return contact if contact.converged else self.finite_volume.solve(problem)
@@ -56,7 +59,7 @@ class Auto:
         list of LubricatedContact
             In the order of `speeds`.
         """
-        if problem.lubricant.cavitation == "mass_conserving":
+        if _beyond_spectral(problem):
             return self.finite_volume.sweep(problem, speeds)
         contacts = self.spectral.sweep(problem, speeds)
         unsolved = [i for i, contact in enumerate(contacts) if not contact.converged]
@@ -69,3 +72,7 @@ class Auto:
     def refined(self) -> Auto:
         """The same on finer grids, whose difference estimates the error."""
         return Auto(self.spectral.refined(), self.finite_volume.refined())
+
+
+def _beyond_spectral(problem: Problem) -> bool:
+    return problem.lubricant.cavitation == "mass_conserving" or isinstance(problem.body, MeshedBody)

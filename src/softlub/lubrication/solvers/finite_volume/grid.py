@@ -1,7 +1,8 @@
 """Nodes of the finite volumes, in units of the Hertz half-width a.
 
-A grid is a smooth map of evenly spaced parameters, so that the nodes of n are every second one of 2n - 1 and the error
-of the scheme has an expansion in the even powers of the spacing (Richardson's extrapolation lives on it).
+A meshed body brings its nodes. On a half-space a grid is a smooth map of evenly spaced parameters, so that the nodes
+of n are every second one of 2n - 1 and the error of the scheme has an expansion in the even powers of the spacing
+(Richardson's extrapolation lives on it).
 """
 
 from __future__ import annotations
@@ -12,17 +13,33 @@ from typing import Protocol
 import numpy as np
 
 from softlub.lubrication.half_space import HalfSpace, HalfSpaceFFT
+from softlub.lubrication.meshed_body import MeshedBody, NodalCompliance
 from softlub.lubrication.problem import Problem
 from softlub.lubrication.solvers.finite_volume.scaled import HERTZ_BODY
-from softlub.protocols import FloatArray
+from softlub.protocols import Compliance, FloatArray
 
 
 class Grid(Protocol):
     """Maker of the nodes and of the elasticity on them."""
 
-    def space(self, problem: Problem, count: int) -> HalfSpace | HalfSpaceFFT:
-        """Scaled half-space on `count` nodes X = x/a."""
+    def space(self, problem: Problem, count: int) -> Compliance:
+        """Scaled elasticity on `count` nodes X = x/a."""
         ...
+
+
+@dataclass(frozen=True)
+class OwnNodes:
+    """The nodes of a meshed body's contact edge, or every second, fourth … of them."""
+
+    body: MeshedBody
+
+    def space(self, problem: Problem, count: int) -> NodalCompliance:
+        """Compliance in Hertz units on `count` nodes."""
+        hertz = problem.hertz
+        compliance = NodalCompliance.of(self.body.compliance)
+        while compliance.positions.size > count:
+            compliance = compliance.halved()
+        return compliance.scaled(hertz.half_width, hertz.peak_pressure, hertz.gap_scale)
 
 
 @dataclass(frozen=True)

@@ -61,7 +61,7 @@ def state_of(level: Level, problem: Problem, solution: LubricatedContact) -> Sta
         places, solution.positions, solution.fluid_pressure + solution.solid_pressure, left=0.0, right=0.0
     )
     pressure = total * (0.5 * np.pi / float(space.widths @ total))
-    centre = space.positions.size // 2
+    apex = level.contact.apex
     opening = solution.separation_central / hertz.gap_scale
     front = float(np.searchsorted(places, solution.rupture)) - 1
-    return State(pressure, opening - float((space.base_gap + space.deflection(pressure))[centre]), front)
+    return State(pressure, opening - float((space.base_gap + space.deflection(pressure))[apex]), front)

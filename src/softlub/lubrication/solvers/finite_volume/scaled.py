@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from softlub.lubrication.half_space import HalfSpace, HalfSpaceFFT
 from softlub.lubrication.problem import HalfSpaceCylinder, Problem
 from softlub.pressure_table import PressureTable, evaluate
-from softlub.protocols import FloatArray
+from softlub.protocols import Compliance, FloatArray
 
 LOAD = 0.5 * np.pi
 """∫ P dX of every contact."""
@@ -23,8 +22,8 @@ class ScaledContact:
 
     Parameters
     ----------
-    space : HalfSpace or HalfSpaceFFT
-        Elasticity on the nodes X, made of `HERTZ_BODY`.
+    space : Compliance
+        Elasticity on the nodes X, in Hertz units.
     table : PressureTable
         The law, P_s over H.
     mass_conserving : bool
@@ -33,13 +32,18 @@ class ScaledContact:
         h_rms R/a².
     """
 
-    space: HalfSpace | HalfSpaceFFT
+    space: Compliance
     table: PressureTable
     mass_conserving: bool
     roughness: float
 
+    @property
+    def apex(self) -> int:
+        """Node where the undeformed gap is least; of two the right one."""
+        return self.space.positions.size - 1 - int(np.argmin(self.space.base_gap[::-1]))
+
     def gap(self, pressure: FloatArray, approach: float) -> FloatArray:
-        """H = H_c + X²/2 + C P, shape (n,)."""
+        """H = H_c + H_0 + C P, shape (n,); H_0 is X²/2 on the half-space."""
         return approach + self.space.base_gap + self.space.deflection(pressure)
 
     def solid(self, gap: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -47,7 +51,7 @@ class ScaledContact:
         return evaluate(self.table, gap)
 
 
-def scale(problem: Problem, space: HalfSpace | HalfSpaceFFT) -> ScaledContact:
+def scale(problem: Problem, space: Compliance) -> ScaledContact:
     """Take a problem to Hertz units on given nodes; its speed stays out."""
     hertz = problem.hertz
     table = problem.law.table

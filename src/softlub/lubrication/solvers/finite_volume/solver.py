@@ -8,10 +8,11 @@ from typing import Literal
 
 import numpy as np
 
+from softlub.lubrication.meshed_body import MeshedBody
 from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.finite_volume.fields import contact_fields
-from softlub.lubrication.solvers.finite_volume.grid import GRIDS
+from softlub.lubrication.solvers.finite_volume.grid import GRIDS, OwnNodes
 from softlub.lubrication.solvers.finite_volume.level import Level, make_level, state_of
 from softlub.lubrication.solvers.finite_volume.march import march, march_refined
 from softlub.lubrication.solvers.finite_volume.newton import Iterate
@@ -27,9 +28,9 @@ class FiniteVolume:
     Parameters
     ----------
     nodes : int
-        Number of nodes n.
+        Number of nodes n on a half-space; a meshed body brings its own.
     grid : {"graded", "even"}
-        Where they lie, see `grid`.
+        Where they lie on a half-space, see `grid`.
     tolerance : float
         Largest residual of a converged point, in units of the Hertz pressure.
     most_steps : int
@@ -60,7 +61,7 @@ class FiniteVolume:
             Flagged as not converged where no way led to the solution.
         """
         if start is not None:
-            level = self.level(problem, self.nodes)
+            level = self.level(problem, self.node_count(problem))
             with np.errstate(all="ignore"):
                 iterate = level.correct(problem.speed_number, state_of(level, problem, start))
             if iterate.converged:
@@ -106,7 +107,7 @@ class FiniteVolume:
         speed_numbers = [point.speed_number for point in points]
         results: list[list[LubricatedContact]] = []
         iterates: list[Iterate] = []
-        for nodes in self.nested():
+        for nodes in self.nested(points[0]):
             level = self.level(points[0], nodes)
             if iterates:
                 iterates = march_refined(level, speed_numbers, iterates)
@@ -116,13 +117,20 @@ class FiniteVolume:
             results.append([contact_fields(point, level.contact, iterate) for point, iterate in pairs])
         return results
 
-    def nested(self) -> list[int]:
-        """Numbers of nodes n of the grids on the way to this one, each 2n - 1 of the one before."""
-        counts = [self.nodes]
+    def node_count(self, problem: Problem) -> int:
+        """Number of nodes of the finest grid."""
+        body = problem.body
+        return body.node_count if isinstance(body, MeshedBody) else self.nodes
+
+    def nested(self, problem: Problem) -> list[int]:
+        """Numbers of nodes n of the grids on the way to the finest, each 2n - 1 of the one before."""
+        counts = [self.node_count(problem)]
         while counts[0] % 2 and (counts[0] + 1) // 2 >= COARSEST:
             counts.insert(0, (counts[0] + 1) // 2)
         return counts
 
     def level(self, problem: Problem, nodes: int) -> Level:
         """The problem on a grid of so many nodes."""
-        return make_level(problem, GRIDS[self.grid], nodes, self.tolerance, self.most_steps)
+        body = problem.body
+        grid = OwnNodes(body) if isinstance(body, MeshedBody) else GRIDS[self.grid]
+        return make_level(problem, grid, nodes, self.tolerance, self.most_steps)

@@ -28,6 +28,5 @@ def rigid_start(contact: ScaledContact, speed_number: float) -> State:
         fluid = film_pressure(space.positions, gap, speed_number, False, ends, everywhere)[0]
         film *= float(space.widths @ fluid) / LOAD
     total = fluid + contact.solid(gap)[0]
-    centre = space.positions.size // 2
     front = float(np.flatnonzero(fluid)[-1])
-    return State(total, film - float(space.deflection(total)[centre]), front)
+    return State(total, film - float(space.deflection(total)[contact.apex]), front)

@@ -109,8 +109,10 @@ def even_contact(problem: Problem, nodes: int) -> EvenContact:
     Raises
     ------
     ValueError
-        If the lubricant's film is to conserve mass: the modules clip the pressure, which is the Reynolds condition.
+        If the body is meshed, or the lubricant's film is to conserve mass: the modules clip the pressure, which is
+        the Reynolds condition.
     """
+    problem.refuse_meshed("modules'")
     if problem.lubricant.cavitation != "reynolds":
         raise ValueError(
             f"the modules know the cavitation condition 'reynolds' alone, not {problem.lubricant.cavitation!r}; "

@@ -83,7 +83,7 @@ class Spectral:
         Raises
         ------
         ValueError
-            If the cavitation condition or the speed is not one that this solver knows.
+            If the body, the cavitation condition or the speed is not one that this solver knows.
         """
         return self.sweep(problem, [problem.speed])[0]
 
@@ -129,6 +129,7 @@ class Spectral:
 
     @staticmethod
     def _check(problem: Problem, speeds: FloatArray) -> None:
+        problem.refuse_meshed("spectral")
         cavitation = problem.lubricant.cavitation
         if cavitation != "reynolds":
             raise ValueError(
