@@ -1,5 +1,6 @@
 """Viscoelasticity: relaxation, moduli over frequency, superposition, and the fit of a series."""
 
+import felupe
 import numpy as np
 import pytest
 from scipy.integrate import quad
@@ -76,6 +77,28 @@ def test_step_strain_relaxes_as_the_closed_form(material, series, ramp):
     np.testing.assert_allclose(
         np.array(found) / scale, expected[:, None, None] * at_rest[..., 0, 0] / scale, atol=1e-10
     )
+
+
+def test_a_sheared_block_relaxes_as_the_closed_form():
+    """The same through felupe's element, force by force at all nodes."""
+    mesh = felupe.Rectangle(n=(3, 4))
+    field = felupe.FieldContainer([felupe.FieldPlaneStrain(felupe.RegionQuad(mesh), dim=2)])
+    response = Viscoelastic(RUBBER, SHORT).element_material()
+    block = felupe.SolidBodyNearlyIncompressible(response, field, bulk=RUBBER.bulk_modulus)
+    still = felupe.SolidBodyNearlyIncompressible(
+        RUBBER.element_material(), field.copy(), bulk=RUBBER.bulk_modulus
+    )
+    for body in (block, still):
+        body.field[0].values[:, 0] = 0.4 * mesh.points[:, 1]
+        body.assemble.vector(body.field)
+    at_rest = still.assemble.vector(still.field).toarray()[:, 0]
+    times = np.array([1e-3, 2e-3, 1e-2, 0.3, 5.0])
+    expected = ramp_and_hold(times, 1e-3, SHORT.relaxation_times, SHORT.long_term_terms)
+    for duration, ratio in zip(np.diff(times, prepend=0), expected, strict=True):
+        response.begin_increment(duration)
+        force = block.assemble.vector(block.field).toarray()[:, 0]
+        response.accept()
+        np.testing.assert_allclose(force, ratio * at_rest, atol=1e-10 * np.abs(at_rest).max())
 
 
 def test_an_increment_of_no_duration_is_instantaneous_and_an_infinite_one_relaxes():
@@ -308,6 +331,10 @@ def test_moduli_that_no_solid_has_are_refused():
     liquid = DynamicModulus(frequency, 1e-6 * frequency**2, 1e3 * frequency)
     with pytest.raises(ValueError, match="fit to a liquid: no long-term modulus"):
         fit_prony(liquid)
+    with pytest.raises(ValueError, match=r"loss\[3\] = -1 must be finite and above 0"):
+        fit_prony(DynamicModulus(frequency, frequency, np.where(np.arange(20) == 3, -1.0, 1.0)))
+    with pytest.raises(ValueError, match="3 frequencies: a fit needs at least 4"):
+        fit_prony(DynamicModulus(frequency[:3], frequency[:3], frequency[:3]))
     glass = DynamicModulus(frequency, np.full(20, 3e10), np.full(20, 1e9))
-    with pytest.raises(ValueError, match="3e\\+10 Pa cannot go with a bulk modulus of 2e\\+09 Pa"):
+    with pytest.raises(ValueError, match=r"3e\+10 Pa cannot go with a bulk modulus of 2e\+09 Pa"):
         fit_prony(glass, 2e9)

@@ -128,8 +128,10 @@ def fit_prony(
     Raises
     ------
     ValueError
-        If the storage modulus reaches 9K, which no shear modulus gives, or the fit finds no long-term modulus.
+        If there are fewer than 4 frequencies, a number is not finite and above 0, the storage modulus reaches 9K,
+        which no shear modulus gives, or the fit finds no long-term modulus or no relaxation.
     """
+    _check_measured(measured)
     shear = _shear_modulus(measured, bulk_modulus)
     frequency = measured.angular_frequency
     first, last = (
@@ -151,6 +153,18 @@ def fit_prony(
     )
     residual = (system @ moduli - 1).reshape(2, -1)
     return PronyFit(series, long_term, residual[0], residual[1])
+
+
+def _check_measured(measured: DynamicModulus) -> None:
+    if measured.angular_frequency.size < FEWEST_FREQUENCIES:
+        raise ValueError(
+            f"{measured.angular_frequency.size} frequencies: a fit needs at least {FEWEST_FREQUENCIES}"
+        )
+    for name in ("angular_frequency", "storage", "loss"):
+        values = getattr(measured, name)
+        bad = np.flatnonzero(~((values > 0) & (values < np.inf)))
+        if bad.size:
+            raise ValueError(f"{name}[{bad[0]}] = {values[bad[0]]:g} must be finite and above 0")
 
 
 def _shear_modulus(measured: DynamicModulus, bulk_modulus: float) -> NDArray[np.complex128]:

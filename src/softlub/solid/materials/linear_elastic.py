@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from softlub.solid.materials import material
-from softlub.units import PoissonRatio, Pressure
+from softlub.units import PoissonRatio, Pressure, check
 
 if TYPE_CHECKING:
     from softlub.solid.materials.isochoric import IsochoricNeoHooke
@@ -31,10 +31,18 @@ class LinearElastic:
         E [Pa].
     poisson_ratio : float
         ν in (0, 0.5].
+
+    Raises
+    ------
+    ValueError
+        If a number lies outside its bounds.
     """
 
     young_modulus: Pressure
     poisson_ratio: PoissonRatio
+
+    def __post_init__(self) -> None:
+        check(self)
 
     @property
     def shear_modulus(self) -> float:
@@ -59,9 +67,21 @@ class LinearElastic:
         return self.young_modulus
 
     def stiffened(self, factor: float) -> LinearElastic:
-        """The material with its shear modulus multiplied by a factor above 0 and the same bulk modulus."""
+        """The material with its shear modulus multiplied by a factor above 0 and the same bulk modulus.
+
+        Raises
+        ------
+        ValueError
+            If Poisson's ratio would not stay above 0: the shear modulus reaches 3/2 of the bulk modulus.
+        """
         shear, bulk = factor * self.shear_modulus, self.bulk_modulus
-        return LinearElastic(material.young_modulus(shear, bulk), material.poisson_ratio(shear, bulk))
+        ratio = material.poisson_ratio(shear, bulk)
+        if not ratio > 0:
+            raise ValueError(
+                f"a shear modulus of {shear:g} Pa beside a bulk modulus of {bulk:g} Pa makes Poisson's ratio {ratio:g}; "
+                "it must stay above 0: give the material at rest a ratio closer to 0.5, or smaller Prony terms"
+            )
+        return LinearElastic(material.young_modulus(shear, bulk), ratio)
 
     def element_material(self) -> IsochoricNeoHooke:
         """A new felupe material of the isochoric response."""

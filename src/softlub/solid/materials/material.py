@@ -29,6 +29,11 @@ class SolidMaterial(Protocol):
         ...
 
     @property
+    def plane_strain_modulus(self) -> float:
+        """E/(1 - ν²) of small strains [Pa]: the reduced modulus of the one elastic body."""
+        ...
+
+    @property
     def long_term_modulus(self) -> float:
         """The modulus that a shear strength given in parts of E refers to [Pa]."""
         ...

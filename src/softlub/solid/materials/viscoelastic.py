@@ -62,6 +62,11 @@ class Viscoelastic:
         return self.at_rest.young_modulus
 
     @property
+    def plane_strain_modulus(self) -> float:
+        """E/(1 - ν²) of small strains at rest [Pa]."""
+        return self.at_rest.plane_strain_modulus
+
+    @property
     def long_term_modulus(self) -> float:
         """The modulus that a shear strength given in parts of E refers to: that at rest [Pa]."""
         return self.at_rest.long_term_modulus
