@@ -78,8 +78,8 @@ class LinearElastic:
         ratio = material.poisson_ratio(shear, bulk)
         if not ratio > 0:
             raise ValueError(
-                f"a shear modulus of {shear:g} Pa beside a bulk modulus of {bulk:g} Pa makes Poisson's ratio {ratio:g}; "
-                "it must stay above 0: give the material at rest a ratio closer to 0.5, or smaller Prony terms"
+                f"a shear modulus of {shear:g} Pa beside a bulk modulus of {bulk:g} Pa makes Poisson's ratio "
+                f"{ratio:g}; it must stay above 0: give the material at rest a ratio closer to 0.5, or smaller Prony terms"
             )
         return LinearElastic(material.young_modulus(shear, bulk), ratio)
 
