@@ -79,7 +79,7 @@ class LinearElastic:
         if not ratio > 0:
             raise ValueError(
                 f"a shear modulus of {shear:g} Pa beside a bulk modulus of {bulk:g} Pa makes Poisson's ratio "
-                f"{ratio:g}; it must stay above 0: give the material at rest a ratio closer to 0.5, or smaller Prony terms"
+                f"{ratio:g}; it must stay above 0: take a ratio closer to 0.5, or smaller Prony terms"
             )
         return LinearElastic(material.young_modulus(shear, bulk), ratio)
 
