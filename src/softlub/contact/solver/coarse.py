@@ -1,10 +1,15 @@
 """The long-wave half of the preconditioner: patches of contact coupled through the half-space, block by block.
 
 Let S_F be the stencil on the free set and φ = S_F 1. A gap g that varies slowly is undone, patch by patch, by the
-pressure φ c with c = g. That takes every patch as alone. Together they press with k c on average (k = Σφ/N² the
-mean of φ over all points), which the half-space answers with k c / Q at the phase Q, so that g = (1 + λ) c with
-λ = k / Q. Hence c = g / (1 + λ), and the stencil's φ g has to be reduced by φ T g, T = λ / (1 + λ). On blocks,
-with s = Σφ and y = Σφ(g - δ), the symmetric form is -w IFFT(T FFT(w y)), w = s^(-1/2).
+pressure φ c with c = g. That takes every patch as alone. Together they press block by block with the loads s c,
+s = Σφ, which the half-space answers with the displacement K s c of the blocks, so that y / s = c + K s c is to be
+solved for c, with y = Σφ(g - δ). On v = √s c that is the symmetric
+
+    (1 + √s K √s) v = y / √s,
+
+of which a few conjugate gradients are enough: what they leave, the outer iteration sees. They are preconditioned by
+the same with the mean of φ in the place of every s / (block's points), which transforms diagonalise. The stencil's
+φ y / s has then to be corrected by φ (c - y / s).
 """
 
 from __future__ import annotations
@@ -14,11 +19,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from softlub.contact.solver.kernels import half_phases, phases
+from softlub.contact.solver.kernels import half_phases, love_spectrum, phases
 from softlub.contact.solver.transforms import RealTransform
 
 BLOCK = 8
 """Points along a side of a block."""
+STEPS = 3
+"""Conjugate gradients on the blocks; more save no outer iteration."""
+SHORTEST = np.pi * np.sqrt(2)
+"""Phase of the shortest wave."""
 
 
 class CoarseCorrection:
@@ -42,8 +51,21 @@ class CoarseCorrection:
         copies = 1 if periodic else 2
         padded = (copies * self.shape[0], copies * self.shape[1])
         self._transform = RealTransform(padded, dtype)
-        self._norm = 1 / (padded[0] * padded[1])
-        self._phase = np.hypot(phases(padded[0])[:, None], half_phases(padded[1])[None, :]) / BLOCK
+        self._norm = self.gap_sums.dtype.type(1 / (padded[0] * padded[1]))
+        phase = np.hypot(phases(padded[0])[:, None], half_phases(padded[1])[None, :])
+        self._phase = (phase / BLOCK).astype(dtype)
+        self._compliance = self._of_blocks(phase, periodic).astype(dtype)
+
+    def _of_blocks(self, phase: NDArray[np.float64], periodic: bool) -> NDArray[np.float64]:
+        """Displacement of the blocks under loads of one each, wave by wave.
+
+        What a block does to itself the stencil knows already: the least of all factors is taken from each.
+        """
+        if periodic:
+            compliance = np.divide(1, phase, out=np.zeros_like(phase), where=phase > 0)
+        else:
+            compliance = love_spectrum(self.shape)
+        return np.maximum(compliance - 1 / SHORTEST, 0) / BLOCK
 
     def mean_gap(self) -> float:
         """Mean of the gap over the free set, weighted with φ."""
@@ -63,16 +85,39 @@ class CoarseCorrection:
         """
         mean = self.mean_gap()
         weight = np.maximum(self.weight_sums, 0)
-        root = np.where(weight > 0, 1 / np.sqrt(np.where(weight > 0, weight, 1)), 0)
         total = float(weight.sum(dtype=float))
-        rows, columns = self.shape
-        self._transform.source[:rows, :columns] = root * (self.gap_sums - mean * self.weight_sums)
-        self._transform.forward()
-        # λ / (1 + λ) with λ = k / Q; 1 for the mean
-        mean_weight = total / self._points
-        self._transform.spectrum *= self._norm * mean_weight / (mean_weight + self._phase)
-        self._transform.inverse()
-        added = -root * self._transform.result[:rows, :columns]
-        added -= float((weight * added).sum(dtype=float)) / total + mean
+        root = np.sqrt(weight)
+        inverse = np.divide(1, root, out=np.zeros_like(root), where=root > 0)
+        alone = inverse * (self.gap_sums - weight.dtype.type(mean) * self.weight_sums)
+        added = inverse * (self._coupled(root, alone, total / self._points) - alone)
+        added -= weight.dtype.type(float((weight * added).sum(dtype=float)) / total + mean)
         product = float((self.gap_sums * added).sum(dtype=float))
-        return np.asarray(added.astype(weight.dtype)), mean, product
+        return added, mean, product
+
+    def _coupled(self, root: NDArray[Any], alone: NDArray[Any], mean_weight: float) -> NDArray[Any]:
+        """Solve (1 + √s K √s) v = y / √s to within a few steps of conjugate gradients."""
+        number = alone.dtype.type
+        together = self._phase / (self._phase + number(mean_weight))  # 1 / (1 + λ) with λ = k / Q
+        solved, direction, rest = np.zeros_like(alone), np.zeros_like(alone), alone.copy()
+        last = 1.0
+        for _ in range(STEPS):
+            smooth = self._filtered(rest, together)
+            product = float(np.vdot(rest, smooth))
+            if product <= 0:  # nothing to correct
+                break
+            direction *= number(product / last)
+            direction += smooth
+            image = direction + root * self._filtered(root * direction, self._compliance)
+            factor = number(product / float(np.vdot(direction, image)))
+            solved += factor * direction
+            rest -= factor * image
+            last = product
+        return solved
+
+    def _filtered(self, values: NDArray[Any], factors: NDArray[Any]) -> NDArray[Any]:
+        rows, columns = self.shape
+        self._transform.source[:rows, :columns] = values
+        self._transform.forward()
+        self._transform.spectrum *= factors
+        self._transform.inverse()
+        return np.asarray(self._transform.result[:rows, :columns] * self._norm)
