@@ -325,7 +325,7 @@ def test_a_measured_surface_that_cannot_be_used_is_refused_by_name(message, tmp_
         ({"figures": ["stribeck"]}, ["stribeck", "of this kind: "]),
         ({"outputs": ["friction"]}, ["outputs", "maps"]),
         ({"kind": "rough_contakt"}, ["kind", "did you mean rough_contact?"]),
-        ({"kind": "solid"}, ["kind", "not yet built"]),
+        ({"kind": "benchmark"}, ["kind", "not yet built"]),
     ],
     ids=lambda part: str(part)[:40],
 )

@@ -36,6 +36,8 @@ class Accuracy:
         ones are made once.
     contact_loads : int
         Loads of a rough contact from light to full contact.
+    edge_nodes, mesh_rows, flank_columns : int
+        Of a finite-element mesh: nodes of the contact edge, cells above it, cells to either side of it.
     """
 
     spectral_order: int
@@ -47,6 +49,9 @@ class Accuracy:
     coarsened: bool = False
     averaged_points: int = 1024
     contact_loads: int = 20
+    edge_nodes: int = 513
+    mesh_rows: int = 11
+    flank_columns: int = 30
 
 
 PRESETS: dict[str, Accuracy] = {
@@ -57,6 +62,9 @@ PRESETS: dict[str, Accuracy] = {
         surface_points=256,
         coarsened=True,
         contact_loads=12,
+        edge_nodes=129,
+        mesh_rows=8,
+        flank_columns=16,
     ),
     "standard": Accuracy(spectral_order=8, finite_volume_nodes=257, module_nodes=513),
     # The grid and the domain of the source's table 3-2, the largest surface of its table 4-2.

@@ -9,12 +9,22 @@ from softlub.study.blocks import Names
 from softlub.study.contact_grid import default_contact_solver
 from softlub.study.grid import SWEPT
 from softlub.study.labels import labels
-from softlub.study.models import DeflectionFile, RoughContactFile, StudyFile, SurfaceFile
+from softlub.study.models import (
+    DeflectionFile,
+    EquivalenceFile,
+    MaterialFile,
+    RoughContactFile,
+    SolidFile,
+    StudyFile,
+    SurfaceFile,
+)
 from softlub.study.outputs import SCALARS
 from softlub.study.parsed import Pressures, Range, Sample, StandIn, Study, Sweep
 from softlub.study.solvers import default_solver
 
-AnyFile = StudyFile | RoughContactFile | SurfaceFile | DeflectionFile
+AnyFile = (
+    StudyFile | RoughContactFile | SurfaceFile | DeflectionFile | SolidFile | EquivalenceFile | MaterialFile
+)
 
 
 def assembled(
@@ -68,10 +78,11 @@ def assembled(
 
 
 def _solvers(file: AnyFile) -> list[Any]:
-    if isinstance(file, (SurfaceFile, DeflectionFile)):
-        return []
-    default = default_solver if isinstance(file, StudyFile) else default_contact_solver
-    return list(file.grid.solver or [file.solver or default()])
+    if isinstance(file, StudyFile):
+        return list(file.grid.solver or [file.solver or default_solver()])
+    if isinstance(file, RoughContactFile):
+        return list(file.grid.solver or [file.solver or default_contact_solver()])
+    return []
 
 
 def _own_part(file: AnyFile, ranges: Mapping[str, Range]) -> dict[str, Any]:
@@ -87,6 +98,14 @@ def _own_part(file: AnyFile, ranges: Mapping[str, Range]) -> dict[str, Any]:
         }
     if isinstance(file, DeflectionFile):
         return {"outputs": (), "deflection": {"force": file.grid.force, "points": file.grid.points}}
+    if isinstance(file, MaterialFile):
+        return {"outputs": (), "solid": file.grid.model_dump()}
+    if isinstance(file, SolidFile):
+        own_grid = {"compare": file.compare, "datum": file.datum}
+        return {"outputs": tuple(file.outputs or ()), "loads": file.grid.load, "solid": own_grid}
+    if isinstance(file, EquivalenceFile):
+        own_grid = {"coefficient": file.grid.coefficient}
+        return {"outputs": tuple(file.outputs or ()), "loads": file.grid.load, "solid": own_grid}
     own: dict[str, Any] = {"outputs": tuple(file.outputs or ())}
     if isinstance(file, RoughContactFile):
         for over, values in (("slope", file.grid.normalised_pressure), ("pascal", file.grid.pressure)):

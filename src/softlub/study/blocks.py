@@ -11,10 +11,13 @@ from typing import Any
 from softlub.study import parts
 from softlub.study.files import read_block
 from softlub.study.messages import Problem, StudyError, did_you_mean
+from softlub.study.solid_files import expanded
 
 PLACES: dict[str, tuple[str, dict[str, type], dict[str, str]]] = {
-    "body.shape": ("shapes", parts.SHAPES, parts.UNBUILT_SHAPES),
-    "body.material": ("materials", parts.MATERIALS, parts.UNBUILT_MATERIALS),
+    "body.shape": ("shapes", {**parts.SHAPES, **parts.MESHED_SHAPES}, parts.UNBUILT_SHAPES),
+    "body.material": ("materials", parts.MATERIALS, {}),
+    # After the material, which may be the block that holds it.
+    "body.material.hyperelastic": ("materials", parts.RATE_INDEPENDENT, {}),
     "surface": ("surfaces", parts.SURFACES, {}),
     "line": ("surfaces", parts.LINES, {}),
     "lubricant": ("lubricants", {}, {}),
@@ -33,6 +36,8 @@ class Names:
     ----------
     folder : Path
         The configuration's folder.
+    study_folder : Path, optional
+        Where the study file lies, whose CSV files go before those of the configuration.
 
     Attributes
     ----------
@@ -43,11 +48,12 @@ class Names:
     """
 
     folder: Path
+    study_folder: Path = Path()
     used: dict[str, Path] = field(default_factory=dict)
     stand_ins: dict[str, str] = field(default_factory=dict)
 
     def resolved(self, scene: Any) -> tuple[Any, list[Problem]]:
-        """A copy of a raw scene with every name replaced by its block, each by itself.
+        """A copy of a raw scene with every name replaced by its block and every CSV file by its numbers.
 
         Parameters
         ----------
@@ -57,7 +63,7 @@ class Names:
         Returns
         -------
         scene : Any
-            A name that has no block is left as it is.
+            A name that has no block and a file that cannot be used are left as they are.
         problems : list of Problem
             One for each such name.
         """
@@ -71,7 +77,9 @@ class Names:
                     problems += error.problems
         if isinstance(scene, dict) and isinstance(scene.get("contact_law"), str):
             scene["contact_law"] = {"name": scene["contact_law"]}
-        return scene, problems
+        folders = {folder: (self.study_folder, self.folder / folder) for folder, _, _ in PLACES.values()}
+        scene, unread = expanded(scene, folders)
+        return scene, [*problems, *unread]
 
     def block(self, place: str, name: str) -> dict[str, Any]:
         """The block that a name stands for at a place of the scene."""

@@ -13,6 +13,7 @@ from softlub.study.figure_checks import unmet_needs
 from softlub.study.figures import Figure
 from softlub.study.messages import Problem
 from softlub.study.parsed import Study
+from softlub.study.solid_checks import body_problems, solid_problems
 
 ALL_SOLVERS = ("stribeck", "parameter_study")
 """Drawings that show the curves of every solver; the others show Newton's only."""
@@ -22,6 +23,8 @@ def problems_of(study: Study) -> list[Problem]:
     """Everything wrong with a study whose entries are all right by themselves."""
     if study.kind == "deflection":
         return [*_figure_problems(study)]
+    if study.kind in ("solid", "equivalence", "material"):
+        return [*_figure_problems(study), *solid_problems(study)]
     if study.kind != "stribeck":
         return [*_figure_problems(study), *contact_problems(study)]
     return [
@@ -29,6 +32,7 @@ def problems_of(study: Study) -> list[Problem]:
         *_figure_problems(study),
         *_grid_problems(study),
         *law_problems(study),
+        *body_problems(study),
     ]
 
 

@@ -46,6 +46,9 @@ class Drawing:
     maps, heights, topographies : bool
         Whether it draws maps of contact pressure and gap, heights of surfaces, or statistics and spectra of the
         surfaces of a rough contact: each is computed only when somebody needs it.
+    mesh : bool
+        Whether it draws all nodes of a finite-element body and its stress, which are kept only when somebody needs
+        them.
     needs : str
         What must be swept: ``"solver"``, ``"field"`` (of the scene), ``"sample"``; empty for nothing.
     curves : int
@@ -59,6 +62,7 @@ class Drawing:
     maps: bool = False
     heights: bool = False
     topographies: bool = False
+    mesh: bool = False
     needs: str = ""
     curves: int = 0
     options: Mapping[str, Reader] = field(default_factory=dict)

@@ -187,6 +187,8 @@ class Single:
 
     model: Any
     bare: str
+    files: tuple[str, ...] = ()
+    """Keys that may name a CSV file with the block's numbers instead of them, for the JSON schema."""
 
     def read(self, value: Any, handler: Callable[[Any], Any]) -> Any:
         """The block as its model."""
@@ -202,4 +204,8 @@ class Single:
     def __get_pydantic_json_schema__(
         self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> JsonSchema:
-        return {"anyOf": [{"type": "string", "description": self.bare}, handler(schema)]}
+        from_files = [
+            {"type": "object", "properties": {key: {"type": "string", "minLength": 1}}, "required": [key]}
+            for key in self.files
+        ]
+        return {"anyOf": [{"type": "string", "description": self.bare}, handler(schema), *from_files]}

@@ -86,4 +86,4 @@ def check_swept_key(key: str) -> None:
     if key == "scene.shear_strength" or key.startswith("scene.shear_strength."):
         raise refusal("cannot be swept yet; write one study for each, they share the panels")
     if key == "scene.body.stiffness":
-        raise refusal("cannot be swept yet: half_space is the one stiffness there is")
+        raise refusal("cannot be swept: no shape has both; write one study for each, or sweep scene.body")

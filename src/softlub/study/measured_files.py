@@ -9,8 +9,6 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-KINDS = ("measured", "measured_line")
-
 
 class MeasuredFile(NamedTuple):
     """Where a file lies, and the hash of what it holds."""
@@ -39,12 +37,12 @@ def find(written: str, folders: Sequence[Path]) -> MeasuredFile:
 
 
 def try_out(surface: Mapping[str, Any], file: MeasuredFile) -> None:
-    """Read a measured surface or line and prepare it as the study says.
+    """Read a measured surface, line or contact edge and prepare it as the study says.
 
     Parameters
     ----------
     surface : mapping
-        Canonical block of the kind ``measured`` or ``measured_line``.
+        Canonical block of the kind ``measured``, ``measured_line`` or ``profile``.
     file : MeasuredFile
 
     Raises
@@ -62,15 +60,28 @@ def try_out(surface: Mapping[str, Any], file: MeasuredFile) -> None:
 def _complaint(kind: str, file: MeasuredFile, options: str) -> str:
     """What is wrong with a file; empty where it can be used. A run reads its studies twice, the file once."""
     # The readers take a second or two to load, and most studies name no file.
+    settings = {"file": str(file.path), **json.loads(options)}
+    if kind == "profile":
+        return _edge_complaint(settings)
     from softlub.surfaces.measurement import Measured, MeasuredLine
     from softlub.surfaces.preparation import prepare, prepare_line
 
-    settings = {"file": str(file.path), **json.loads(options)}
     try:
         if kind == "measured":
             prepare(Measured(**settings))
         else:
             prepare_line(MeasuredLine(**settings))
+    except (ValueError, OSError) as error:
+        return str(error)
+    return ""
+
+
+def _edge_complaint(settings: Mapping[str, Any]) -> str:
+    from softlub.solid.shapes.profile_file import ProfileFile
+
+    try:
+        # Reading is checking.
+        _ = ProfileFile(**settings).edge
     except (ValueError, OSError) as error:
         return str(error)
     return ""

@@ -13,17 +13,17 @@ from softlub.study.contact_scene import ContactScene, DeflectionScene, SurfaceSc
 from softlub.study.fields import Choice, Words
 from softlub.study.figures import FigureEntry
 from softlub.study.grid import Grid
-from softlub.study.outputs import CONTACT_OUTPUTS, OUTPUTS, SURFACE_OUTPUTS
+from softlub.study.outputs import CONTACT_OUTPUTS, OUTPUTS, SOLID_OUTPUTS, SURFACE_OUTPUTS
 from softlub.study.ranges import Values
 from softlub.study.scene import Scene
+from softlub.study.solid_grid import Datum, EquivalenceGrid, MaterialGrid, SolidGrid
+from softlub.study.solid_scene import EquivalenceScene, MaterialScene, SolidScene
 from softlub.study.solvers import Solver
 from softlub.units import Unit
 
-KINDS = ("stribeck", "rough_contact", "surface", "deflection")
+KINDS = ("stribeck", "rough_contact", "surface", "deflection", "solid", "equivalence", "material")
+COMPARED = ("reduced", "constrained", "half_space")
 _UNBUILT_KINDS = {
-    "solid": "finite elements are not there yet",
-    "equivalence": "finite elements are not there yet",
-    "material": "only linear elasticity is there",
     "benchmark": "benchmarks have a folder of their own, benchmarks/",
 }
 
@@ -97,16 +97,71 @@ class DeflectionFile(CommonFile):
     grid: DeflectionGrid
 
 
+class SolidFile(CommonFile):
+    """A study of a body pressed on a plate and slid, by finite elements and by what stands for them."""
+
+    scene: SolidScene
+    grid: SolidGrid
+    compare: Annotated[tuple[str, ...], Words(COMPARED)] = ("reduced",)
+    datum: Datum = ()
+    outputs: Annotated[tuple[str, ...], Words(SOLID_OUTPUTS)] | None = None
+
+    @model_validator(mode="after")
+    def _datum_is_known(self) -> SolidFile:
+        if "half_space" in self.compare and not self.datum:
+            raise ValueError(
+                "compare has half_space, whose deflection is known up to a constant; give datum, the distance from "
+                "the load's middle at which it is 0, such as datum: [10 mm, 1 m]"
+            )
+        if self.datum and "half_space" not in self.compare:
+            raise ValueError(
+                "datum is that of half_space, which is not among compare; add it or leave out datum"
+            )
+        return self
+
+
+class EquivalenceFile(CommonFile):
+    """A study of a viscoelastic body and of the hyperelastic one that takes its shape."""
+
+    scene: EquivalenceScene
+    grid: EquivalenceGrid
+    outputs: Annotated[tuple[str, ...], Words(SOLID_OUTPUTS)] | None = None
+
+
+class MaterialFile(CommonFile):
+    """A study of a material's moduli over frequency."""
+
+    scene: MaterialScene
+    grid: MaterialGrid
+
+    @model_validator(mode="after")
+    def _has_what_it_needs(self) -> MaterialFile:
+        if self.grid.stiffness_frequency and self.scene.body.shape is None:
+            raise ValueError("grid.stiffness_frequency asks for reduced stiffnesses; give scene.body.shape")
+        if self.grid.temperature and self.scene.time_temperature is None:
+            raise ValueError(
+                "grid.temperature needs constants of the shift; give scene.time_temperature: "
+                "{first_constant: …, second_constant: …, reference_temperature: …}"
+            )
+        return self
+
+
 FILES: dict[str, Any] = {
     "stribeck": StudyFile,
     "rough_contact": RoughContactFile,
     "surface": SurfaceFile,
     "deflection": DeflectionFile,
+    "solid": SolidFile,
+    "equivalence": EquivalenceFile,
+    "material": MaterialFile,
 }
 SCENES: dict[str, Any] = {
     "stribeck": Scene,
     "rough_contact": ContactScene,
     "surface": SurfaceScene,
     "deflection": DeflectionScene,
+    "solid": SolidScene,
+    "equivalence": EquivalenceScene,
+    "material": MaterialScene,
 }
 """Model of a file and of its scene, by the kind of study."""

@@ -39,6 +39,8 @@ CONTACT_OUTPUTS = ("maps",)
 """Of a rough contact: contact pressure and gap over the surface; curves over the load are always kept."""
 SURFACE_OUTPUTS = ("heights",)
 """Of a surface: its heights; statistics and spectra are always kept."""
+SOLID_OUTPUTS = ("history", "mesh")
+"""Of a finite-element body: the contact edge at every increment; all nodes and the stress of the last one."""
 
 SCALARS = ("friction", "separation", "contact")
 """Groups without fields over x: the default."""

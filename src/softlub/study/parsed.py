@@ -110,6 +110,10 @@ class Study:
         Gaps below which a point counts as touching, for comparison [m].
     deflection : mapping
         ``force`` [N] and ``points`` of a study of that kind.
+    solid : mapping
+        What studies of finite-element bodies hold beside scene and loads: ``compare`` and ``datum`` [m] of the kind
+        solid; ``coefficient`` of equivalence; ``frequency``, ``stiffness_frequency`` [rad/s] and ``temperature`` [K]
+        of material.
     files : mapping
         Instruments' files by the name that the study gives them.
     """
@@ -132,6 +136,7 @@ class Study:
     pressures: Pressures | None = None
     gap_thresholds: tuple[float, ...] = ()
     deflection: Mapping[str, Any] = field(default_factory=dict, hash=False)
+    solid: Mapping[str, Any] = field(default_factory=dict, hash=False)
     files: Mapping[str, MeasuredFile] = field(default_factory=dict, hash=False)
 
     @property

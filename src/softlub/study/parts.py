@@ -5,7 +5,8 @@ A new material, shape, surface or law is one more line here.
 
 from __future__ import annotations
 
-from dataclasses import MISSING, fields
+from collections.abc import Mapping
+from dataclasses import MISSING, fields, is_dataclass
 from functools import cache
 from typing import Annotated, Any, ClassVar, Literal, Union, get_args, get_origin, get_type_hints
 
@@ -13,11 +14,24 @@ from pydantic import create_model, model_validator
 
 from softlub.lubrication.film import Lubricant
 from softlub.solid.materials.linear_elastic import LinearElastic
+from softlub.solid.materials.material import RateIndependent
+from softlub.solid.materials.mooney_rivlin import MooneyRivlin
+from softlub.solid.materials.neo_hookean import NeoHookean
+from softlub.solid.materials.prony import PronySeries
+from softlub.solid.materials.viscoelastic import Viscoelastic
+from softlub.solid.materials.wlf import WilliamsLandelFerry
+from softlub.solid.materials.yeoh import Yeoh
 from softlub.solid.shapes.cylinder import Cylinder
+from softlub.solid.shapes.half_cylinder import HalfCylinder
+from softlub.solid.shapes.profile_file import ProfileFile
+from softlub.solid.shapes.rectangle import Rectangle
 from softlub.solid.shapes.sphere import Sphere
-from softlub.study import options
+from softlub.solid.shapes.strip import Strip
+from softlub.solid.shapes.triangle import TriangularSpecimen
+from softlub.study import options, solid_options
 from softlub.study.base import StudyModel
-from softlub.study.fields import Choice, Quantity, Text
+from softlub.study.fields import Choice, Quantity, Single, Tagged, Text
+from softlub.study.ranges import Series
 from softlub.surfaces.measurement import Measured, MeasuredLine
 from softlub.surfaces.spectrum import Smooth
 from softlub.surfaces.synthetic import Synthetic, SyntheticLine
@@ -25,7 +39,20 @@ from softlub.units import Unit
 
 SHAPES: dict[str, type] = {"cylinder": Cylinder}
 ROUND_SHAPES: dict[str, type] = {"sphere": Sphere}
-MATERIALS: dict[str, type] = {"linear_elastic": LinearElastic}
+MESHED_SHAPES: dict[str, type] = {
+    "triangle": TriangularSpecimen,
+    "half_cylinder": HalfCylinder,
+    "rectangle": Rectangle,
+    "strip": Strip,
+    "profile": ProfileFile,
+}
+RATE_INDEPENDENT: dict[str, type] = {
+    "linear_elastic": LinearElastic,
+    "neo_hookean": NeoHookean,
+    "mooney_rivlin": MooneyRivlin,
+    "yeoh": Yeoh,
+}
+MATERIALS: dict[str, type] = {**RATE_INDEPENDENT, "viscoelastic": Viscoelastic}
 SURFACES: dict[str, type] = {"self_affine": Synthetic, "measured": Measured, "smooth": Smooth}
 LINES: dict[str, type] = {"self_affine_line": SyntheticLine, "measured_line": MeasuredLine}
 LAWS: dict[str, type] = {
@@ -47,13 +74,23 @@ SOLVERS: dict[str, type] = {
     "ehl": options.ModuleOptions,
 }
 LUBRICANT: type = Lubricant
+MESH: type = solid_options.MeshOptions
+STEPS: type = solid_options.StepOptions
+TIME_TEMPERATURE: type = WilliamsLandelFerry
 
-_MESHED = "meshed shapes come with the finite-element body"
-UNBUILT_SHAPES = dict.fromkeys(("half_cylinder", "triangle", "wiper", "profile"), _MESHED)
-UNBUILT_MATERIALS = dict.fromkeys(
-    ("neo_hooke", "mooney_rivlin", "hyperelastic", "viscoelastic"), "only linear elasticity is there"
-)
-UNBUILT_STIFFNESS = dict.fromkeys(("initial", "deformed", "auto"), "meshed bodies are not there yet")
+PLATE_LAWS: dict[str, type] = {
+    "hard": solid_options.HardContactOptions,
+    **{word: part for word, part in LAWS.items() if word != "none"},
+}
+"""What a finite-element body meets: a smooth plate, or the asperity law of a rough one."""
+ALTERNATIVES: dict[type, dict[str, type]] = {RateIndependent: RATE_INDEPENDENT}
+"""Parts of a part that are one of several: a viscoelastic material's material at rest."""
+
+FILES: dict[type, tuple[str, ...]] = {PronySeries: ("file", "dmta")}
+"""Keys by which a part's numbers may be a CSV file's (softlub.study.solid_files)."""
+
+UNBUILT_SHAPES = {"wiper": "the blade comes with the studies of chapter 7"}
+UNBUILT_STIFFNESS = dict.fromkeys(("deformed", "auto"), "the film knows the undeformed body's stiffness only")
 UNBUILT_KEYS: dict[type, dict[str, str]] = {
     Lubricant: {"flow_factor": "the film flows as between smooth walls"},
 }
@@ -77,8 +114,19 @@ class PartModel(StudyModel):
     def _parameters_agree(self) -> PartModel:
         """Let the part itself check what concerns several of its parameters."""
         if self.part is not None:
-            self.part(**{name: getattr(self, name) for name in field_names(self.part)})
+            self.build()
         return self
+
+    def build(self) -> Any:
+        """The part itself, with its own parts built."""
+        assert self.part is not None
+        values = {name: getattr(self, name) for name in field_names(self.part)}
+        return self.part(
+            **{
+                name: value.build() if isinstance(value, PartModel) else value
+                for name, value in values.items()
+            }
+        )
 
 
 @cache
@@ -117,6 +165,24 @@ def models_of(parts: dict[str, type], tag: str = "kind") -> dict[str, Any]:
     return {word: model_of(part, tag, word) for word, part in parts.items()}
 
 
+def built(kinds: Mapping[str, type], block: Mapping[str, Any]) -> Any:
+    """The part that a canonical block stands for.
+
+    Parameters
+    ----------
+    kinds : mapping
+        Word -> parameter class, such as `MATERIALS`.
+    block : mapping
+        With the word under ``kind``, in SI.
+
+    Returns
+    -------
+    Any
+        An instance of the class.
+    """
+    return model_of(kinds[block["kind"]], "kind", block["kind"]).model_validate(dict(block)).build()
+
+
 def field_names(part: type) -> list[str]:
     """Names of a parameter class's fields."""
     return [field.name for field in fields(part)]
@@ -128,7 +194,13 @@ def field_type(hint: Any) -> Any:
         return Annotated[str, Choice(get_args(hint))]
     if hint is str or set(get_args(hint)) == {str, int}:
         return Annotated[hint, Text(numbers=hint is not str)]
+    if hint in ALTERNATIVES:
+        return Annotated[Any, Tagged("kind", models_of(ALTERNATIVES[hint]), bare="name of a block")]
+    if isinstance(hint, type) and is_dataclass(hint):
+        return Annotated[Any, Single(model_of(hint), bare="block itself", files=FILES.get(hint, ()))]
     unit = unit_of(hint)
+    if get_origin(hint) is tuple and unit is not None:
+        return Annotated[tuple[float, ...], Series(unit)]
     if unit is not None and get_origin(hint) is Annotated:
         whole = get_args(hint)[0] is int
         return Annotated[int if whole else float, Quantity(unit, whole)]

@@ -14,6 +14,13 @@ from softlub.study.drawings import DRAWINGS
 from softlub.study.nodes import Node, Plan, make_node
 from softlub.study.outputs import SCALARS, left_out
 from softlub.study.parsed import Study, Sweep
+from softlub.study.solid_planning import (
+    equivalence_nodes,
+    film_stiffnesses,
+    material_nodes,
+    settled_mesh,
+    solid_nodes,
+)
 from softlub.study.solvers import settings
 from softlub.study.specimens import without_specimen
 from softlub.study.stamp import REVISIONS, plain, stamp
@@ -65,9 +72,15 @@ def needs_fields(study: Study) -> bool:
 
 def _lubricated_nodes(study: Study) -> list[Node]:
     """Laws, panels and the study itself."""
-    laws, index = panel_laws(study, list(scenes_of(study)))
-    panels, labels = _panels(study, laws, index)
-    return [*laws, *panels, _study_node(study, panels, labels)]
+    scenes = list(scenes_of(study))
+    laws, law_index = panel_laws(study, scenes)
+    stiffnesses, stiffness_index = film_stiffnesses(study, scenes)
+    read = {
+        **({"laws": law_index} if laws else {}),
+        **({"stiffnesses": stiffness_index} if stiffnesses else {}),
+    }
+    panels, labels = _panels(study, [*laws, *stiffnesses], read)
+    return [*laws, *stiffnesses, *panels, _study_node(study, panels, labels)]
 
 
 def _deflection_nodes(study: Study) -> list[Node]:
@@ -89,11 +102,16 @@ NODES = {
     "rough_contact": contact_nodes,
     "surface": contact_nodes,
     "deflection": _deflection_nodes,
+    "solid": solid_nodes,
+    "equivalence": equivalence_nodes,
+    "material": material_nodes,
 }
 """What plans each kind of study; its last node is the study itself."""
 
 
-def _panels(study: Study, laws: list[Node], law_index: list[int | None]) -> tuple[list[Node], list[str]]:
+def _panels(
+    study: Study, inputs: list[Node], read: Mapping[str, list[int | None]]
+) -> tuple[list[Node], list[str]]:
     accuracy = PRESETS[study.accuracy]
     panels: list[Node] = []
     labels: list[str] = []
@@ -113,14 +131,14 @@ def _panels(study: Study, laws: list[Node], law_index: list[int | None]) -> tupl
                     }
                     for sweep in study.sweeps
                 ],
-                **({"laws": law_index} if laws else {}),
+                **read,
                 "sample": sample,
                 "load": list(study.loads),
                 "speed": solver.speeds(study.speeds),
                 "solver": chosen,
                 "fields": needs_fields(study),
             }
-            panels.append(make_node("panel", _slug(spec), spec, laws))
+            panels.append(make_node("panel", _slug(spec), spec, inputs))
             labels.append(label)
     return panels, labels
 
@@ -146,6 +164,8 @@ def base_scene(study: Study, half_domain: float | None = None) -> dict[str, Any]
     """
     scene: dict[str, Any] = copy.deepcopy(dict(study.scene))
     scene["half_domain"] = half_domain or scene["half_domain"] or PRESETS[study.accuracy].half_domain
+    if "mesh" in scene["body"]:
+        scene["body"]["mesh"] = settled_mesh(study.accuracy, scene["body"]["mesh"])
     for sweep in study.sweeps:
         scene = paths.replaced(scene, sweep.path, plain(sweep.values[0]))
     for path, bounds in (study.sample.ranges if study.sample else {}).items():

@@ -26,9 +26,24 @@ DIMENSIONS = {
     "m/s": ("a speed", "1.5 mm/s"),
     "Pa s": ("a viscosity", "0.1 Pa s"),
     "1/m": ("a wavevector", "1e4 1/m"),
+    "s": ("a time", "0.5 ms"),
+    "rad/s": ("an angular frequency", "1e4 rad/s"),
+    "K": ("a temperature", "298.15 K"),
+    "rad": ("an angle", "45 deg"),
+    "1/Pa": ("a compressibility", "0.001 1/MPa"),
+    "Pa/m": ("a stiffness per area", "1e14 Pa/m"),
     "1": ("a pure number", "0.8"),
 }
 """What each SI unit measures, and how a user may write it."""
+
+_MISTAKABLE = {
+    "rad/s": (
+        ("rad/s", "1/s", "s^-1", "s**-1"),
+        "an angular frequency is 2π times the cycles that Hz counts",
+    ),
+    "K": (("K", "kelvin"), "other scales count from another zero"),
+}
+"""SI unit -> the ways of writing it that are taken, and why no other is: pint would get the others wrong."""
 
 SIGNIFICANT_DIGITS = 14
 """Digits kept after a conversion: ``10 mm``, ``1 cm`` and ``0.01`` are the same number and give the same key."""
@@ -94,6 +109,8 @@ def _text_to_number(text: str, unit: Unit) -> float:
 
 
 def _converted(number: float, symbol: str, unit: Unit) -> float:
+    if unit.symbol in _MISTAKABLE and symbol not in _MISTAKABLE[unit.symbol][0]:
+        raise QuantityError(f'"{symbol}" is not taken: {_MISTAKABLE[unit.symbol][1]}; {_allowed(unit)}')
     factor = _factor(symbol, unit.symbol)
     if factor is None:
         if unit.symbol == "Pa s" and _factor(symbol, "m^2/s") is not None:

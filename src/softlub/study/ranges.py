@@ -48,6 +48,23 @@ class Values(Entry):
         }
 
 
+@dataclass(frozen=True)
+class Series(Entry):
+    """A list of values of one quantity, in any order."""
+
+    unit: Unit
+
+    def read(self, value: Any) -> tuple[float, ...]:
+        """The values in SI."""
+        if not isinstance(value, (list, tuple)) or not value:
+            raise refusal("must be a list of one value at least")
+        return tuple(read_entry(Quantity(self.unit).read, entry, i) for i, entry in enumerate(value))
+
+    def json_schema(self) -> JsonSchema:
+        """A list that is not empty."""
+        return {"type": "array", "items": Quantity(self.unit).json_schema(), "minItems": 1}
+
+
 def read_entry(read: Callable[[Any], float], entry: Any, index: int) -> float:
     """One entry of a list; a refusal says which."""
     try:

@@ -33,6 +33,9 @@ from softlub.study.sweeps import SceneReader, check_path, check_together, read_s
 
 STUDY_NAME = re.compile(r"[A-Za-z0-9_-]+")
 
+MEASURED = {"surface": "surfaces", "line": "surfaces", "body.shape": "shapes"}
+"""Places of a scene that may name an instrument's file -> folder of config/ where it may lie."""
+
 Raw = dict[str, Any]
 
 
@@ -71,7 +74,7 @@ def load(
     if accuracy is not None and accuracy not in ACCURACIES:
         problem = Problem("accuracy", f"is unknown; {did_you_mean(accuracy, ACCURACIES)}", shown(accuracy))
         raise StudyError(str(path), [problem])
-    reading = _Reading(path, read_block(path), Names(_config_dir(path, config_dir)))
+    reading = _Reading(path, read_block(path), Names(_config_dir(path, config_dir), path.parent))
     study = reading.study(accuracy, overrule)
     if reading.problems:
         raise StudyError(str(path), reading.problems)
@@ -144,16 +147,15 @@ class _Reading:
 
     def _with_files(self, study: Study) -> Study:
         """The study with the instruments' files that it names, each found, hashed and tried out."""
-        folders = [self.path.parent, self.names.folder / "surfaces"]
         files: dict[str, MeasuredFile] = {}
         for scene in scenes_of(study):
-            for place in ("surface", "line"):
-                block = scene.get(place) or {}
+            for place, folder in MEASURED.items():
+                block = _block_at(scene, place)
                 if "file" not in block:
                     continue
                 written = block["file"]
                 try:
-                    files[written] = find(written, folders)
+                    files[written] = find(written, [self.path.parent, self.names.folder / folder])
                     try_out(block, files[written])
                 except ValueError as error:
                     self._refuse(f"scene.{place}.file", str(error), written)
@@ -271,6 +273,13 @@ class _Reading:
 
     def _refuse(self, key: str, text: str, value: Any) -> None:
         self.problems.append(Problem(key, text, "" if value is None else shown(value)))
+
+
+def _block_at(scene: Any, place: str) -> Raw:
+    """The block at a place of a canonical scene, empty where there is none."""
+    for key in place.split("."):
+        scene = (scene or {}).get(key)
+    return scene or {}
 
 
 def _without(values: Raw, key: str) -> Raw:

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
+from softlub.solid.elements import ELEMENTS
 from softlub.study import parts
 from softlub.study.base import StudyModel
 from softlub.study.fields import Choice, Quantity, Single, Tagged
@@ -16,7 +17,7 @@ Shape = Annotated[
     Any,
     Tagged(
         "kind",
-        parts.models_of(parts.SHAPES),
+        parts.models_of({**parts.SHAPES, **parts.MESHED_SHAPES}),
         unbuilt=parts.UNBUILT_SHAPES,
         bare="name of a block in config/shapes",
     ),
@@ -27,7 +28,6 @@ Material = Annotated[
         "kind",
         parts.models_of(parts.MATERIALS),
         default="linear_elastic",
-        unbuilt=parts.UNBUILT_MATERIALS,
         bare="name of a block in config/materials",
     ),
 ]
@@ -48,6 +48,9 @@ Lubricant = Annotated[
 ]
 
 
+MESH = parts.model_of(parts.MESH)
+Mesh = Annotated[Any, Single(MESH, bare="block itself")]
+
 DEFAULT_LAWS = {"smooth": "none", "self_affine": "persson", "measured": "boundary_element"}
 """Contact law of a surface's kind where the scene names none."""
 
@@ -67,12 +70,47 @@ def lacks_heights(surface: Any) -> str:
     return f"needs the surface itself and not only its spectrum; give {needed}" if missing else ""
 
 
+STIFFNESSES = ("half_space", "initial")
+
+
 class Body(StudyModel):
     """The soft body."""
 
     shape: Shape
     material: Material
-    stiffness: Annotated[str, Choice(("half_space",), parts.UNBUILT_STIFFNESS)] = "half_space"
+    stiffness: Annotated[str, Choice(STIFFNESSES, parts.UNBUILT_STIFFNESS)] = "half_space"
+    element: Annotated[str, Choice(tuple(ELEMENTS))] | None = None
+    mesh: Mesh = None
+
+    @model_validator(mode="after")
+    def _stiffness_fits_shape(self) -> Body:
+        kind = self.shape.kind
+        if self.stiffness == "half_space" and kind not in parts.SHAPES:
+            raise ValueError(
+                f"stiffness half_space knows the shapes {', '.join(parts.SHAPES)}, and shape is {kind}; "
+                "take stiffness: initial"
+            )
+        if self.stiffness != "half_space" and kind in parts.SHAPES:
+            raise ValueError(
+                f"stiffness {self.stiffness} needs a shape of finite elements, and shape is {kind}; "
+                f"allowed: {', '.join(parts.MESHED_SHAPES)}"
+            )
+        for name in ("element", "mesh"):
+            if self.stiffness == "half_space" and getattr(self, name) is not None:
+                raise ValueError(f"{name} is for bodies of finite elements; leave it out with half_space")
+        return self
+
+    def canonical(self) -> dict[str, Any]:
+        """The body in SI; what only finite elements have stands in it for them alone."""
+        whole = {
+            "shape": self.shape.model_dump(),
+            "material": self.material.model_dump(),
+            "stiffness": self.stiffness,
+        }
+        if self.stiffness == "half_space":
+            return whole
+        mesh = MESH() if self.mesh is None else self.mesh
+        return {**whole, "element": self.element or "mean_dilatation", "mesh": mesh.model_dump()}
 
 
 class Scene(StudyModel):
@@ -117,11 +155,7 @@ class Scene(StudyModel):
         name = DEFAULT_LAWS[self.surface.kind]
         law = self.contact_law or parts.model_of(parts.LAWS[name], "name", name)()
         return {
-            "body": {
-                "shape": self.body.shape.model_dump(),
-                "material": self.body.material.model_dump(),
-                "stiffness": self.body.stiffness,
-            },
+            "body": self.body.canonical(),
             "surface": self.surface.model_dump(),
             "contact_law": law.model_dump(),
             "lubricant": self.lubricant.model_dump(),

@@ -15,7 +15,7 @@ MOST_CURVES = 1000
 """Curves over swept fields and loads, which one job solves; a sample is cut into jobs."""
 
 MOST_JOBS = 500
-"""Laws and topographies of a study."""
+"""Laws, topographies, states and stiffnesses of a study."""
 
 
 def size_problems(study: Study) -> Iterator[Problem]:
@@ -23,6 +23,8 @@ def size_problems(study: Study) -> Iterator[Problem]:
     combinations = math.prod(len(sweep.values) for sweep in study.sweeps)
     if study.kind == "stribeck":
         yield from _too_many_points(study, combinations * max(1, len(study.loads)))
+    elif study.kind in ("solid", "equivalence", "material"):
+        yield from _too_many_bodies(study, combinations)
     elif combinations * max(1, len(study.solvers)) > MOST_JOBS:
         yield Problem("grid", f"makes {combinations} surfaces; allowed: {MOST_JOBS} jobs at most")
 
@@ -44,4 +46,18 @@ def _too_many_points(study: Study, swept: int) -> Iterator[Problem]:
             "grid",
             f"asks for {swept:,} curves over loads and swept fields in one job; "
             f"allowed: {MOST_CURVES:,} at most; {remedy}",
+        )
+
+
+def _too_many_bodies(study: Study, combinations: int) -> Iterator[Problem]:
+    each = {
+        "solid": len(study.loads) + 1,
+        "equivalence": len(study.loads) * (3 + 2 * len(study.solid.get("coefficient", ()))),
+        "material": max(1, len(study.solid.get("stiffness_frequency", ()))),
+    }[study.kind]
+    if combinations * each > MOST_JOBS:
+        yield Problem(
+            "grid",
+            f"makes {combinations * each:,} jobs, {each} for each of {combinations:,} scenes; "
+            f"allowed: {MOST_JOBS} at most; take fewer loads or swept values",
         )

@@ -8,7 +8,16 @@ from typing import Any
 from softlub.study.nodes import digest
 from softlub.study.parsed import Study
 
-REVISIONS = {"panel": 1, "study": 1, "figure": 2, "law": 1, "topography": 1}
+REVISIONS = {
+    "panel": 1,
+    "study": 1,
+    "figure": 2,
+    "law": 1,
+    "topography": 1,
+    "state": 1,
+    "stiffness": 1,
+    "equivalence": 1,
+}
 """Raised when a stage's results change without a change of its spec: all its nodes are then computed anew."""
 
 
