@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from softlub.figures import style
-from softlub.figures.mesh_panels import around, colours, corners_of, lines, mesh_panel, whole
+from softlub.figures.mesh_panels import around, colours, corners_of, lines, mesh_panel, seen, whole
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
 from softlub.figures.quantities import FloatArray, quantity
 
@@ -50,19 +50,26 @@ def draw(
     # The middle of what touches, since a flat contact has its lowest node anywhere.
     touching = moved[edge][moved[edge, 1] <= apex[1] + 1e-3 * float(np.ptp(points[edge, 1])), 0]
     width = close_up if close_up is not None else CUT_OUT * float(np.ptp(points[edge, 0]))
-    views = (
-        whole(np.concatenate([corners, corners_of(dataset)])),
-        around(touching.mean(), apex[1], width, 0.75),
-    )
+    body = whole(np.concatenate([corners, corners_of(dataset)]))
+    cut_out = around(float(touching.mean()), float(apex[1]), width, body)
+    # The corners of the held side would take all colours: the stress grows there without bound as cells shrink.
+    largest = float(values[seen(corners, cut_out)].max())
+    meaning = quantity(field, largest, label=label, unit=unit)
     with styled():
         figure = new_figure(style.PAGE, height)
-        for letter, axes, view in zip("ab", figure.subplots(1, 2), views, strict=True):
+        both = figure.subplots(1, 2)
+        for letter, axes, view in zip("ab", both, (body, cut_out), strict=True):
             panel = mesh_panel(axes, letter, view)
-            colours(panel, corners, view, values, quantity(field, values, label=label, unit=unit))
+            filled = colours(panel, corners, view, values, meaning, largest)
             if letter == "b":
                 lines(panel, corners, view, PANEL)
             _outline(panel, points, dataset["mesh_cell"].values)
             panel.letter(letter)
+        beyond = "max" if values.max() > largest else "neither"
+        figure.colorbar(filled, ax=both, label=meaning.axis_label, extend=beyond, shrink=0.8, pad=0.01)
+        figure.notes.append(
+            "The colours reach up to the largest value in (b); dashed: the border of the body at rest."
+        )
         return figure
 
 

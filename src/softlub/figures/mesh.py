@@ -15,7 +15,7 @@ CUT_OUT = 0.12
 """Width of the cut-out in parts of the contact edge."""
 
 
-def draw(dataset: xr.Dataset, close_up: float | None = None, height: float = 3.1) -> DataFigure:
+def draw(dataset: xr.Dataset, close_up: float | None = None, height: float = 3.0) -> DataFigure:
     """Draw a mesh at rest.
 
     Parameters
@@ -39,7 +39,8 @@ def draw(dataset: xr.Dataset, close_up: float | None = None, height: float = 3.1
     with styled():
         figure = new_figure(style.PAGE, height)
         panels = []
-        views = (whole(corners), around(float(apex[0]), float(apex[1]), width, 0.75))
+        body = whole(corners)
+        views = (body, around(float(apex[0]), float(apex[1]), width, body))
         for letter, axes, view in zip("ab", figure.subplots(1, 2), views, strict=True):
             panel = mesh_panel(axes, letter, view)
             lines(panel, corners, view, PANEL)

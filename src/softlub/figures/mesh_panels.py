@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
+from numpy.typing import NDArray
 
 from softlub.figures import style
 from softlub.figures.panel import Panel, Series
@@ -65,9 +66,10 @@ def whole(corners: FloatArray) -> View:
     return View(low[0] - blank, high[0] + blank, low[1] - blank, high[1] + blank)
 
 
-def around(x: float, y: float, width: float, ratio: float) -> View:
-    """Cut-out above a point: its width, and its height in parts of the width."""
-    return View(x - width / 2, x + width / 2, y - MARGIN * width, y + (ratio - MARGIN) * width)
+def around(x: float, y: float, width: float, like: View) -> View:
+    """Cut-out above a point, of a width and as wide over high as another view, so that panels match."""
+    height = width * (like.high - like.low) / (like.right - like.left)
+    return View(x - width / 2, x + width / 2, y - MARGIN * height, y + (1 - MARGIN) * height)
 
 
 def mesh_panel(axes: Axes, name: str, view: View) -> Panel:
@@ -97,8 +99,8 @@ def lines(panel: Panel, corners: FloatArray, view: View, width: float) -> None:
     width : float
         Of the panel as printed [inch].
     """
-    seen = _seen(corners, view)
-    ends = np.stack([corners[seen], np.roll(corners[seen], -1, axis=1)], axis=2)
+    inside = corners[seen(corners, view)]
+    ends = np.stack([inside, np.roll(inside, -1, axis=1)], axis=2)
     lengths = np.hypot(*np.moveaxis(ends[:, :, 1] - ends[:, :, 0], -1, 0))
     short = np.repeat(lengths.min(axis=1), 4) * 72 * width / (view.right - view.left)
     panel.axes.add_collection(
@@ -106,14 +108,23 @@ def lines(panel: Panel, corners: FloatArray, view: View, width: float) -> None:
             list(_shown(panel, ends.reshape(-1, 2, 2))),
             linewidths=np.minimum(THICKEST, LINE_SHARE * short),
             colors=style.SLATE,
-            rasterized=int(seen.sum()) > MOST_VECTORS,
+            rasterized=len(inside) > MOST_VECTORS,
         ),
         autolim=False,
     )
 
 
-def colours(panel: Panel, corners: FloatArray, view: View, values: FloatArray, meaning: Quantity) -> None:
-    """Fill the cells with the colour of a value each, with a scale beside the panel, and record them.
+def seen(corners: FloatArray, view: View) -> NDArray[np.bool_]:
+    """Cells that reach into a view, shape (m,)."""
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    beside = (high[:, 0] < view.left) | (low[:, 0] > view.right)
+    return np.asarray(~(beside | (high[:, 1] < view.low) | (low[:, 1] > view.high)))
+
+
+def colours(
+    panel: Panel, corners: FloatArray, view: View, values: FloatArray, meaning: Quantity, largest: float
+) -> PolyCollection:
+    """Fill the cells with the colour of a value each, and record them.
 
     Parameters
     ----------
@@ -125,31 +136,31 @@ def colours(panel: Panel, corners: FloatArray, view: View, values: FloatArray, m
         In SI.
     meaning : Quantity
         Of the values.
+    largest : float
+        Value of the last colour, which larger ones get too [SI].
+
+    Returns
+    -------
+    matplotlib.collections.PolyCollection
+        For a scale.
     """
-    seen = _seen(corners, view)
-    shown = PolyCollection(
-        list(_shown(panel, corners[seen])),
-        array=meaning.shown(values[seen]),
+    inside = seen(corners, view)
+    # As pixels and with hard borders: cells smaller than a pixel would let the page shine through between them.
+    filled = PolyCollection(
+        list(_shown(panel, corners[inside])),
+        array=meaning.shown(values[inside]),
         cmap="viridis",
-        edgecolors="face",
-        linewidths=0.1,
-        rasterized=int(seen.sum()) > MOST_VECTORS,
+        edgecolors="none",
+        antialiased=False,
+        rasterized=True,
     )
-    panel.axes.add_collection(shown, autolim=False)
-    figure = panel.axes.get_figure()
-    assert figure is not None
-    figure.colorbar(shown, ax=panel.axes, label=meaning.axis_label, shrink=0.8, pad=0.02)
-    middle = corners[seen].mean(axis=1)
+    filled.set_clim(min(0.0, float(meaning.shown(values.min()))), float(meaning.shown(largest)))
+    panel.axes.add_collection(filled, autolim=False)
+    middle = corners[inside].mean(axis=1)
     panel.record(
-        Series(panel.name, "cells", panel.x, panel.y, middle[:, 0], middle[:, 1], meaning, values[seen])
+        Series(panel.name, "cells", panel.x, panel.y, middle[:, 0], middle[:, 1], meaning, values[inside])
     )
-
-
-def _seen(corners: FloatArray, view: View) -> np.ndarray:
-    """Cells that reach into the view."""
-    low, high = corners.min(axis=1), corners.max(axis=1)
-    beside = (high[:, 0] < view.left) | (low[:, 0] > view.right)
-    return ~(beside | (high[:, 1] < view.low) | (low[:, 1] > view.high))
+    return filled
 
 
 def _shown(panel: Panel, places: FloatArray) -> FloatArray:
