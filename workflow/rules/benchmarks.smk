@@ -9,6 +9,7 @@ BENCHMARKS = [
     "domain",
     "map_throughput",
     "start_up",
+    "condensation",
 ]
 STRESS_CHUNKS = range(8)
 BENCHMARK_CODE = str(ROOT / "benchmarks" / "{name}.py")

@@ -4,8 +4,8 @@ With the interior i free of force the kept ones k meet S = K_kk - K_ki K_ii⁻¹
 system. The interior is eliminated front by front in the order of a nested dissection (the multifrontal method): a
 front gathers the matrix's entries and its children's remainders in a dense block, eliminates its own variables by
 LU with partial pivoting, and hands on what that leaves on the others. What is left on the kept ones is S; no factor
-is stored. The trailing block of one sparse LU with the kept ones last (SuperLU, interior in minimum degree) gives the
-same numbers in 1.3 to 4 times the time: it also factorises the dense block that is wanted, to multiply it again.
+is stored. The trailing block of one sparse LU with the kept ones last (SuperLU, interior in minimum degree) takes two
+to ten times as long for the same accuracy: it also factorises the dense block that is wanted, to multiply it again.
 """
 
 from __future__ import annotations
