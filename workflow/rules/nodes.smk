@@ -33,6 +33,42 @@ rule law:
         "../scripts/run_stage.py"
 
 
+rule state:
+    input:
+        unpack(inputs_of("state", "{key}")),
+        files=outside_files_of("state"),
+    output:
+        "{results}/state/{key}.nc",
+    params:
+        spec=spec_of("state", "{key}"),
+    script:
+        "../scripts/run_stage.py"
+
+
+rule stiffness:
+    input:
+        unpack(inputs_of("stiffness", "{key}")),
+        files=outside_files_of("stiffness"),
+    output:
+        "{results}/stiffness/{key}.nc",
+    params:
+        spec=spec_of("stiffness", "{key}"),
+    script:
+        "../scripts/run_stage.py"
+
+
+rule equivalence:
+    input:
+        unpack(inputs_of("equivalence", "{key}")),
+        files=outside_files_of("equivalence"),
+    output:
+        "{results}/equivalence/{key}.nc",
+    params:
+        spec=spec_of("equivalence", "{key}"),
+    script:
+        "../scripts/run_stage.py"
+
+
 rule panel:
     input:
         unpack(inputs_of("panel", "{key}")),

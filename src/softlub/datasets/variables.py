@@ -126,6 +126,89 @@ VARIABLES: dict[str, Variable] = {
     "nodal_force": Variable("N/m", "force on a node of the contact edge", "5-3"),
     "displacement": Variable("m", "displacement with the holder at rest"),
     "component": Variable("1", "x along the sliding direction, y away from the plate"),
+    # finite-element bodies
+    "increment": Variable("1", "number of the increment"),
+    "step_number": Variable("1", "number of the step: in contact, loading, sliding"),
+    "step_number_history": Variable("1", "number of the step: in contact, loading, sliding"),
+    "time": Variable("s", "time since the first step began"),
+    "time_history": Variable("s", "time since the first step began"),
+    "applied_load": Variable("N/m", "load of the plate"),
+    "applied_load_history": Variable("N/m", "load of the plate"),
+    "applied_friction": Variable("1", "friction coefficient of the plate"),
+    "applied_friction_history": Variable("1", "friction coefficient of the plate"),
+    "plate_height": Variable(
+        "m", "height of the plate above the apex of the unloaded body, its holder at rest"
+    ),
+    "plate_height_history": Variable(
+        "m", "height of the plate above the apex of the unloaded body, its holder at rest"
+    ),
+    "displacement_history": Variable("m", "displacement of the contact edge, the holder at rest"),
+    "displacement_error": Variable(
+        "1", "longest difference from the displacement by finite elements over the longest displacement"
+    ),
+    "displacement_error_component": Variable(
+        "1", "largest difference of a component of the displacement over that component's largest"
+    ),
+    "displacement_half_space": Variable("m", "displacement of the half-space's surface", "2-1"),
+    "displacement_half_space_error": Variable(
+        "1", "longest difference from the displacement by finite elements over the longest displacement"
+    ),
+    "displacement_half_space_error_component": Variable(
+        "1", "largest difference of a component of the displacement over that component's largest"
+    ),
+    "datum": Variable("m", "distance from a line load at which the half-space's displacement is 0"),
+    "nodal_force_history": Variable("N/m", "force of the plate on a node of the contact edge"),
+    "mesh_point": Variable("m", "place of a node of the mesh in the unloaded body"),
+    "mesh_displacement": Variable("m", "displacement of a node of the mesh"),
+    "mesh_cell": Variable("1", "nodes of a cell of the mesh, counter-clockwise; -1 where there is none"),
+    "mesh_edge": Variable("1", "nodes of the mesh on the contact edge"),
+    "mesh_held": Variable("1", "nodes of the mesh that the holder fixes; -1 where there is none"),
+    "stress_von_mises": Variable("Pa", "von Mises stress, mean over a cell"),
+    "stress_vertical": Variable("Pa", "Cauchy stress away from the plate, mean over a cell"),
+    "completed": Variable("1", "whether all steps were gone through"),
+    "stop_reason": Variable("1", "where and why the steps were stopped; empty where they were not"),
+    "increments": Variable("1", "increments of all steps"),
+    "rejected_increments": Variable("1", "increments that were tried and found too large"),
+    "stiffness_diagonal": Variable("N/m2", "diagonal of the reduced stiffness", "5-3"),
+    "stiffness_apex_row": Variable("N/m2", "row of the apex in the reduced stiffness", "5-3"),
+    "degrees_of_freedom": Variable("1", "degrees of freedom of the whole body"),
+    "stored_entries": Variable("1", "entries of the whole body's sparse stiffness"),
+    "condensation_seconds": Variable("s", "CPU time of condensing the stiffness"),
+    # equivalent bodies and materials
+    "tried_coefficient": Variable("1", "equivalence coefficient that the search tried", "5-17"),
+    "tried_difference": Variable("m2", "mean squared distance of the contact edges at it", "5-16"),
+    "fit_converged": Variable("1", "whether the search ended at a minimum within its bounds"),
+    "shape_difference_rigid": Variable(
+        "m2", "mean squared displacement: what a body that does not deform scores", "5-16"
+    ),
+    "displacement_reduced": Variable(
+        "m", "displacement by the model's reduced stiffness under the viscoelastic body's nodal forces", "5-3"
+    ),
+    "displacement_reduced_error": Variable(
+        "1", "longest difference from the viscoelastic body's displacement over its longest"
+    ),
+    "displacement_reduced_error_component": Variable(
+        "1", "largest difference of a component of the displacement over that component's largest"
+    ),
+    "relaxation_time": Variable("s", "relaxation time of a term of the Prony series", "5-10"),
+    "prony_term": Variable("1", "term of the Prony series, relative to the long-term modulus", "5-10"),
+    "instantaneous_modulus": Variable("Pa", "Young's modulus at once", "5-12"),
+    "bulk_modulus": Variable("Pa", "bulk modulus", "5-7"),
+    "stiffness_storage_modulus": Variable(
+        "Pa", "storage modulus that a reduced stiffness is made with", "5-14"
+    ),
+    "coefficient": Variable("1", "equivalence coefficient alpha", "5-17"),
+    "shape_difference": Variable("m2", "mean squared distance of the contact edges", "5-16"),
+    "shape_difference_normalised": Variable(
+        "1", "mean squared distance of the contact edges over the mean squared displacement", "5-16"
+    ),
+    "frequency": Variable("rad/s", "angular frequency"),
+    "temperature": Variable("K", "temperature"),
+    "shift_factor": Variable("1", "factor of the relaxation times at a temperature"),
+    "storage_modulus": Variable("Pa", "storage modulus in tension", "5-14"),
+    "loss_modulus": Variable("Pa", "loss modulus in tension", "5-14"),
+    "loss_factor": Variable("1", "loss factor, loss over storage modulus", "5-15"),
+    "stiffness_frequency": Variable("rad/s", "angular frequency of a reduced stiffness"),
     # inputs of each curve
     "viscosity": Variable("Pa s", "viscosity of the lubricant"),
     "rms_roughness": Variable("m", "root mean square roughness"),

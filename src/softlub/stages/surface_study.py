@@ -78,7 +78,9 @@ def realised(pieces: Sequence[xr.Dataset]) -> xr.Dataset:
     return xr.concat(pieces, dim=numbers, join="outer", data_vars="all")
 
 
-def swept(rows: Sequence[xr.Dataset], sweeps: Sequence[Mapping[str, Any]]) -> xr.Dataset:
+def swept(
+    rows: Sequence[xr.Dataset], sweeps: Sequence[Mapping[str, Any]], fill: Mapping[str, Any] | None = None
+) -> xr.Dataset:
     """Datasets of all combinations along the swept dimensions.
 
     Parameters
@@ -87,6 +89,8 @@ def swept(rows: Sequence[xr.Dataset], sweeps: Sequence[Mapping[str, Any]]) -> xr
         The last dimension varying fastest.
     sweeps : sequence of mapping
         ``dimension`` and ``labels`` of each swept field.
+    fill : mapping, optional
+        Variable -> what stands where a row lacks it, besides those of `FILL`.
 
     Returns
     -------
@@ -104,7 +108,7 @@ def swept(rows: Sequence[xr.Dataset], sweeps: Sequence[Mapping[str, Any]]) -> xr
                 bare[first : first + count],
                 dim=labels,
                 join="outer",
-                fill_value=FILL,
+                fill_value={**FILL, **(fill or {})},
                 data_vars="all",
                 coords="minimal",
             )

@@ -33,9 +33,9 @@ class Node:
     Parameters
     ----------
     kind : str
-        ``topography``, ``law``, ``panel``, ``study`` or ``figure``.
+        ``topography``, ``law``, ``state``, ``stiffness``, ``equivalence``, ``panel``, ``study`` or ``figure``.
     name : str
-        What its files are called: the key for the first three, ``<study>`` and ``<study>/<figure>`` for the others.
+        What its files are called: the key; of the last two ``<study>`` and ``<study>/<figure>``.
     key : str
         Readable slug and ten hex digits of the hash of `spec`.
     spec : mapping
