@@ -11,15 +11,17 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from softlub.lubrication.face import solve, sweep
     from softlub.lubrication.film import Lubricant
+    from softlub.lubrication.meshed_body import MeshedBody
     from softlub.lubrication.problem import HalfSpaceCylinder, Problem
     from softlub.lubrication.result import LubricatedContact
 
-__all__ = ["HalfSpaceCylinder", "Lubricant", "LubricatedContact", "Problem", "solve", "sweep"]
+__all__ = ["HalfSpaceCylinder", "Lubricant", "LubricatedContact", "MeshedBody", "Problem", "solve", "sweep"]
 
 _HOMES = {
     "HalfSpaceCylinder": "problem",
     "LubricatedContact": "result",
     "Lubricant": "film",
+    "MeshedBody": "meshed_body",
     "Problem": "problem",
     "solve": "face",
     "sweep": "face",
