@@ -129,13 +129,13 @@ def test_rows_that_need_no_growth_are_even():
     ],
 )
 def test_impossible_shapes_are_refused(make, said):
-    with pytest.raises(ValueError, match="must|not narrower|fit") as caught:
+    with pytest.raises(ValueError, match=r"must|not narrower|fit") as caught:
         make()
     assert said in str(caught.value)
 
 
 def test_the_tip_message_names_a_radius_that_is_accepted():
-    with pytest.raises(ValueError, match="allowed is a tip_radius below 0.0053033 m"):
+    with pytest.raises(ValueError, match=r"allowed is a tip_radius below 0\.0053033 m"):
         TriangularSpecimen(tip_radius=5.4e-3)
     TriangularSpecimen(tip_radius=5.3033e-3)
 

@@ -7,6 +7,9 @@ from typing import Annotated
 
 from softlub.units import Length, Unit, check
 
+ROUNDING = 1e-9
+"""Relative difference below which two lengths are the same."""
+
 Count = Annotated[int, Unit("1", at_least=1)]
 
 
@@ -62,9 +65,9 @@ def refuse_wide_edge(shape: str, edge_width: float, width: float) -> None:
     Raises
     ------
     ValueError
-        If the contact edge is as wide as the body, or wider.
+        If the contact edge is as wide as the body but for rounding, or wider.
     """
-    if edge_width >= width:
+    if edge_width >= width * (1 - ROUNDING):
         raise ValueError(
             f"{shape}: the contact edge, {edge_width:g} m wide, is not narrower than the body, {width:g} m; make the "
             "edge narrower or the body wider"

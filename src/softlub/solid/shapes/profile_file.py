@@ -11,7 +11,7 @@ import numpy as np
 from softlub.solid.blocks import level, one_block, symmetric_positions
 from softlub.solid.mesh import BodyMesh
 from softlub.solid.mesh_quality import sound
-from softlub.solid.shapes.density import MeshDensity
+from softlub.solid.shapes.density import MeshDensity, refuse_wide_edge
 from softlub.solid.shapes.profile import EdgeProfile, read_edge
 from softlub.units import Length, check
 
@@ -58,11 +58,7 @@ class ProfileFile:
         """
         path = Path(self.file)
         edge = read_edge(path)
-        if edge.width >= self.width:
-            raise ValueError(
-                f"{path}: the contact edge, {edge.width:g} m wide, is not narrower than the body, {self.width:g} m; "
-                "give the body a larger width or keep fewer points"
-            )
+        refuse_wide_edge(str(path), edge.width, self.width)
         if edge.heights.max() >= self.height:
             raise ValueError(
                 f"{path}: the contact edge rises {edge.heights.max():g} m above its lowest point, not less than the "
