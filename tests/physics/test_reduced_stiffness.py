@@ -5,13 +5,18 @@ import pytest
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from softlub.contact.laws.exponential import ExponentialLaw
 from softlub.datasets.store import read, write
 from softlub.solid.body import Body
+from softlub.solid.contact_stiffness import contact_stiffness
 from softlub.solid.materials.neo_hookean import NeoHookean
+from softlub.solid.plate import PlateContact
+from softlub.solid.plate_laws import PressureClearance
 from softlub.solid.reduced_stiffness import ReducedStiffness
 from softlub.solid.shapes.density import MeshDensity
 from softlub.solid.shapes.rectangle import Rectangle
 from softlub.solid.shapes.triangle import TriangularSpecimen
+from softlub.surfaces.spectrum import SelfAffine
 
 MATERIAL = NeoHookean(c10=0.5932e6, d1=1e-9)
 LOAD = 17.0
@@ -158,6 +163,37 @@ def test_a_kept_constraint_holds_the_edge(specimen):
     alone = free.displacement(forces)[place, 1]
     together = held.displacement(forces)[place, 1]
     assert 1 / together == pytest.approx(1 / alone + spring, rel=1e-8)
+
+
+def test_stiffness_of_the_contact_is_the_derivative_of_its_forces(specimen):
+    mesh = specimen.mesh
+    law = ExponentialLaw(SelfAffine(rms_roughness=1e-6, hurst=0.8, rolloff=1e4, cutoff=1e9), 4.7e6)
+    contact = PlateContact(PressureClearance(law.table), friction=0.4)
+    state, generator = 1e-6 * np.random.default_rng(1).random(mesh.points.shape), np.random.default_rng(2)
+    tangent = contact_stiffness(mesh, contact.forces(mesh, state, -1e-6))
+    direction = generator.standard_normal(mesh.points.shape)
+    step = 1e-10
+    ahead, behind = (
+        contact.forces(mesh, state + sign * step * direction, -1e-6).components() for sign in (1, -1)
+    )
+    found = -(tangent @ direction.ravel())[mesh.edge_dofs]
+    np.testing.assert_allclose(found, (ahead - behind) / (2 * step), atol=1e-6 * np.abs(found).max())
+    assert not np.delete(tangent @ direction.ravel(), mesh.edge_dofs).any()
+
+
+def test_with_the_plate_kept_the_edge_hardly_moves(specimen):
+    """Figure 5-10: a plate that touches the apex alone is enough to hold the body up."""
+    mesh = specimen.mesh
+    touching = PlateContact().forces(mesh, 0 * mesh.points, 1e-12)
+    assert np.count_nonzero(touching.stiffness) == 1
+    apex = int(np.argmin(mesh.base_gap))
+    forces = contact_forces(mesh, LOAD)
+    released = ReducedStiffness.of(specimen).displacement(forces)
+    kept = ReducedStiffness.of(specimen, added_stiffness=contact_stiffness(mesh, touching)).displacement(
+        forces
+    )
+    assert abs(kept[apex, 1]) < 1e-2 * abs(released[apex, 1])
+    assert np.abs(kept - released).max() > 0.5 * np.abs(released).max()
 
 
 def test_stored_and_read_again(specimen, loaded, tmp_path):
