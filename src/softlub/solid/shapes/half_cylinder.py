@@ -27,6 +27,7 @@ INNER_POINT = 0.55
 MEETING = 0.5
 """Where on the held side, from the columns' end to the corner, the blocks of either side meet."""
 ON_TOP = 1e-12
+"""Rounding of the height of held nodes, relative to the radius."""
 SAME_PLACE = 1e-6
 """Distance of two nodes in shortest sides of a cell, below which they are one."""
 

@@ -126,7 +126,7 @@ def read_edge(path: str | Path) -> EdgeProfile:
     try:
         return edge_profile(columns["x"], columns["y"])
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from None
+        raise ValueError(f"{path}: {error} (point 1 stands in the first row below the header)") from None
 
 
 def _refuse_turn(x: FloatArray, y: FloatArray, first: int) -> None:
@@ -136,8 +136,8 @@ def _refuse_turn(x: FloatArray, y: FloatArray, first: int) -> None:
         one, other = crossing
         raise ValueError(
             f"the contact edge crosses itself: the piece from point {one + 1} to {one + 2} and that from point "
-            f"{other + 1} to {other + 2} meet; delete one of the two loops' ends, or put the points in their order "
-            "along the edge"
+            f"{other + 1} to {other + 2} meet; delete the loop between them, or put the points in their order along "
+            "the edge"
         )
     raise ValueError(
         f"the contact edge has two heights at one x: from point {first + 1} (x = {x[first]:g} m) to point {first + 2} "
