@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from softlub import contact
+from softlub.contact.solver.compliance import PeriodicCompliance
 from softlub.surfaces.spectrum import SelfAffine
 from softlub.surfaces.synthesis import synthesize
 from softlub.surfaces.topography import Topography
@@ -12,6 +13,36 @@ MODULUS = 1e7
 AMPLITUDE = 1e-6
 WAVELENGTH = 1e-4
 FULL_LOAD = np.pi * MODULUS * AMPLITUDE / WAVELENGTH
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("shape", [(31, 47), (2, 2), (64, 65), (33, 510), (128, 128)])
+def test_compliance_divides_every_wave(shape: tuple[int, int], dtype: type[np.floating]) -> None:
+    compliance = PeriodicCompliance(shape, dtype)
+    compliance.source[:] = np.random.default_rng(1).standard_normal(shape)
+    energy = compliance.apply()
+    theta = 2 * np.pi * np.hypot(np.fft.fftfreq(shape[0])[:, None], np.fft.fftfreq(shape[1]))
+    waves = np.fft.fft2(compliance.source.astype(float))
+    displacement = np.fft.ifft2(waves * np.divide(1, theta, out=np.zeros(shape), where=theta > 0)).real
+    accuracy = 10 * float(np.finfo(dtype).eps)
+    assert np.abs(compliance.result - displacement).max() < accuracy * np.abs(displacement).max()
+    assert energy == pytest.approx(np.vdot(compliance.source, displacement), rel=accuracy)
+    compliance.stiffness_of_source()
+    pressure = np.fft.ifft2(waves * theta).real
+    assert np.abs(compliance.result - pressure).max() < accuracy * np.abs(pressure).max()
+
+
+def test_renewed_arrays_leave_the_old_ones_alone() -> None:
+    compliance = PeriodicCompliance((32, 48), np.float64)
+    compliance.source[:] = np.random.default_rng(2).standard_normal((32, 48))
+    compliance.apply()
+    source, result = compliance.source, compliance.result
+    kept = result.copy()
+    compliance.renew()
+    compliance.source[:] = 2 * source
+    compliance.apply()
+    np.testing.assert_array_equal(result, kept)
+    np.testing.assert_allclose(compliance.result, 2 * kept, rtol=1e-12, atol=1e-12)
 
 
 def sinusoid(points: int, axis: int = 0) -> Topography:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlub.contact.solver.compiled import compiled
+from softlub.contact.solver.convolution import Convolution
 from softlub.contact.solver.kernels import half_phases, love_spectrum, phases
 from softlub.contact.solver.transforms import RealTransform
 
@@ -43,44 +44,53 @@ class PeriodicCompliance:
     """
 
     def __init__(self, shape: tuple[int, int], dtype: Any) -> None:
-        self._transform = RealTransform(shape, dtype)
+        self._convolution = Convolution(shape, dtype)
         self.count = 0
-        self.source, self.result = self._transform.source, self._transform.result
-        self._numbers = self._transform.spectrum.view(dtype)
-        along = half_phases(shape[1])
+        self.source, self.result = self._convolution.source, self._convolution.result
+        number = self.source.dtype.type
+        columns = self._convolution.columns
         # real and imaginary parts of a number share its factors
-        self._across_squared = (phases(shape[0]) ** 2).astype(dtype)
-        self._along_squared = np.repeat(along**2, 2).astype(dtype)
-        self._weights = np.repeat(conjugate_weights(shape[1]), 2).astype(dtype)
-        self._norm = self._numbers.dtype.type(1 / (shape[0] * shape[1]))
+        self._across_squared = np.repeat(phases(shape[0]) ** 2, 2).astype(dtype)
+        self._along_squared = np.ones(columns, dtype)
+        self._along_squared[: shape[1] // 2 + 1] = half_phases(shape[1]) ** 2
+        self._weights = np.zeros(columns, dtype)
+        self._weights[: shape[1] // 2 + 1] = conjugate_weights(shape[1])
+        self._norm = number(1 / (shape[0] * shape[1]))
+        # no wave but the mean has less
+        self._least = number((2 * np.pi / max(shape)) ** 2 / 2)
 
     def apply(self) -> float:
         """Fill `result` from `source`; return the sum over the grid of source times result."""
         self.count += 1
-        self._transform.forward()
-        self._numbers[0, :2] = 0
-        self._along_squared[:2] = 1  # any number but zero: the mean is gone, and its factor must stay finite
-        energy = divide_by_phase(
-            self._numbers[:1], self._across_squared[:1], self._along_squared, self._weights, self._norm
+        return self._convolution.convolve(self._divide)
+
+    def _divide(self, numbers: NDArray[Any], columns: slice) -> float:
+        if columns.start == 0:
+            numbers[0, :2] = 0
+        return float(
+            divide_by_phase(
+                numbers,
+                self._along_squared[columns],
+                self._across_squared,
+                self._weights[columns],
+                self._norm,
+                self._least,
+            )
         )
-        self._along_squared[:2] = 0
-        energy += divide_by_phase(
-            self._numbers[1:], self._across_squared[1:], self._along_squared, self._weights, self._norm
-        )
-        self._transform.inverse()
-        return energy
 
     def renew(self) -> None:
         """Take new arrays for `source` and `result`; the old ones belong to whoever holds them."""
-        self._transform.renew()
-        self.source, self.result = self._transform.source, self._transform.result
+        self._convolution.renew()
+        self.source, self.result = self._convolution.source, self._convolution.result
 
     def stiffness_of_source(self) -> None:
         """Fill `result` with the pressure that displaces the surface by `source`: the factor |θ|."""
         self.count += 1
-        self._transform.forward()
-        multiply_by_phase(self._numbers, self._across_squared, self._along_squared, self._norm)
-        self._transform.inverse()
+        self._convolution.convolve(self._multiply)
+
+    def _multiply(self, numbers: NDArray[Any], columns: slice) -> float:
+        multiply_by_phase(numbers, self._along_squared[columns], self._across_squared, self._norm)
+        return 0.0
 
 
 class FreeCompliance:
@@ -125,9 +135,10 @@ class FreeCompliance:
         self.count += 1
         self._transform.source[:nx, :ny] = self.source
         self._transform.forward()
-        across = (phases(2 * nx) ** 2).astype(self.source.dtype)
-        along = np.repeat(half_phases(2 * ny) ** 2, 2).astype(self.source.dtype)
-        multiply_by_phase(self._numbers, across, along, self.source.dtype.type(1 / (4 * nx * ny)))
+        dtype = self.source.dtype
+        across = (phases(2 * nx) ** 2).astype(dtype)
+        along = np.repeat(half_phases(2 * ny) ** 2, 2).astype(dtype)
+        multiply_by_phase(self._numbers, across, along, dtype.type(1 / (4 * nx * ny)))
         self._transform.inverse()
         self.result[:] = self._transform.result[:nx, :ny]
 
@@ -142,28 +153,30 @@ def conjugate_weights(points: int) -> NDArray[np.float64]:
 
 
 @compiled
-def divide_by_phase(numbers, across_squared, along_squared, weights, norm):  # type: ignore[no-untyped-def]
-    """Multiply a half spectrum by 1 / |θ| in place; return the energy, the sum of its squares times that."""
+def divide_by_phase(numbers, rows, columns, weights, norm, least):  # type: ignore[no-untyped-def]
+    """Multiply rows of waves by 1 / |θ| in place; return the energy, the sum of their squares times that.
+
+    `rows` and `columns` hold θ² along the first and the second axis; `least` takes the place of smaller |θ|².
+    """
     energy = 0.0
-    for i in range(numbers.shape[0]):
-        across = across_squared[i]
+    for i in range(rows.size):
         of_row = numbers.dtype.type(0)
-        for j in range(numbers.shape[1]):
+        for j in range(columns.size):
             value = numbers[i, j]
-            displacement = value * (norm / np.sqrt(across + along_squared[j]))
-            of_row += weights[j] * value * displacement
+            squared = rows[i] + columns[j]
+            displacement = value * (norm / np.sqrt(squared if squared > least else least))
+            of_row += value * displacement
             numbers[i, j] = displacement
-        energy += of_row
+        energy += weights[i] * of_row
     return energy
 
 
 @compiled
-def multiply_by_phase(numbers, across_squared, along_squared, norm):  # type: ignore[no-untyped-def]
-    """Multiply a half spectrum by |θ| in place."""
-    for i in range(numbers.shape[0]):
-        across = across_squared[i]
-        for j in range(numbers.shape[1]):
-            numbers[i, j] *= norm * np.sqrt(across + along_squared[j])
+def multiply_by_phase(numbers, rows, columns, norm):  # type: ignore[no-untyped-def]
+    """Multiply rows of waves by |θ| in place."""
+    for i in range(rows.size):
+        for j in range(columns.size):
+            numbers[i, j] *= norm * np.sqrt(rows[i] + columns[j])
 
 
 @compiled

@@ -20,6 +20,12 @@ Double precision judges each load with a transform or two, which would not repay
 """
 
 
+def planning_effort(shape: tuple[int, int], dtype: Any) -> str:
+    """FFTW's flag for the time to spend on plans of a shape and precision."""
+    measured = np.dtype(dtype) == np.float32 and shape[0] * shape[1] >= MEASURED_POINTS
+    return "FFTW_MEASURE" if measured else "FFTW_ESTIMATE"
+
+
 class RealTransform:
     """Forward and inverse transform of one shape and precision, on fixed arrays.
 
@@ -43,8 +49,7 @@ class RealTransform:
         self.source: NDArray[Any] = pyfftw.zeros_aligned(shape, dtype=dtype)
         self.result: NDArray[Any] = pyfftw.zeros_aligned(shape, dtype=dtype)
         self.spectrum: NDArray[Any] = pyfftw.zeros_aligned(half, dtype=SPECTRUM_TYPES[np.dtype(dtype)])
-        measured = np.dtype(dtype) == np.float32 and shape[0] * shape[1] >= MEASURED_POINTS
-        effort = "FFTW_MEASURE" if measured else "FFTW_ESTIMATE"
+        effort = planning_effort(shape, dtype)
         self._forward = pyfftw.FFTW(self.source, self.spectrum, axes=(0, 1), flags=(effort,))
         self._inverse = pyfftw.FFTW(
             self.spectrum, self.result, axes=(0, 1), direction="FFTW_BACKWARD", flags=(effort,)
