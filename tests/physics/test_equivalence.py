@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 
@@ -49,6 +49,8 @@ def softening(coefficient):
 
 @settings(max_examples=30, deadline=None)
 @given(st.floats(0.55, 4.9), st.floats(-0.2, 0.2))
+@example(4.0, -0.1875)  # the minimum lies beyond the upper bound
+@example(4.8125, 0.19140625)  # far from the start, and no shape comes near
 def test_finds_the_minimum_of_brute_force(coefficient, distortion):
     """Also where no coefficient gives the reference."""
     reference = softening(coefficient) + distortion * LATERAL
@@ -61,8 +63,8 @@ def test_finds_the_minimum_of_brute_force(coefficient, distortion):
     )
     assert found.converged
     assert found.runs <= 9
-    assert found.coefficient == pytest.approx(expected.x, rel=3e-4)
-    assert found.shape_difference <= expected.fun + 1e-6 * shape_difference(reference, 0 * reference)
+    assert found.coefficient == pytest.approx(expected.x, rel=1e-3)
+    assert found.shape_difference <= expected.fun + 1e-5 * shape_difference(reference, 0 * reference)
     assert found.normalised == normalised_shape_difference(softening(found.coefficient), reference)
 
 

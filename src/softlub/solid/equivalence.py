@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 REMEMBERED = 4
 """Shapes that the polynomial goes through, those of least difference."""
-FIRST_STEP = 1.1
-"""Factor from the first coefficient to the second."""
+CLOSE_BY = 0.2
+"""Relative distance of two coefficients whose shapes tell how the shape changes between them."""
 TRUSTED_FACTOR = 1.5
 """Farthest that a search goes from the best coefficient so far, either way, once three shapes are known."""
 
@@ -160,7 +160,7 @@ def fit_coefficient(
     start : float
         First α.
     tolerance : float
-        Relative, of α.
+        Relative change of α below which the search ends.
     most_runs : int
         Runs after which to stop, unconverged.
 
@@ -191,7 +191,11 @@ def fit_coefficient(
         tried.append(wanted)
         shapes.append(found)
         wanted = _next(tried, shapes, reference, bounds, tolerance)
-        converged = len(tried) > 1 and min(abs(wanted - old) for old in tried) <= tolerance * wanted
+        apart = np.sort(np.abs(np.array(tried) / wanted - 1))
+        if len(tried) > 1 and apart[0] <= tolerance:
+            # Where the search has been; how the shape changes there must come from close by.
+            converged = bool(apart[1] <= CLOSE_BY)
+            wanted = _beside(wanted, bounds)
     differences = np.array([shape_difference(found, reference) for found in shapes])
     best = int(np.argmin(differences))
     coefficient = tried[best]
@@ -204,6 +208,12 @@ def fit_coefficient(
         at_bound=_bound(coefficient, bounds, tolerance),
         converged=converged,
     )
+
+
+def _beside(coefficient: float, bounds: tuple[float, float]) -> float:
+    """Half as far away as counts as close by, within the bounds."""
+    larger = coefficient * (1 + CLOSE_BY / 2)
+    return larger if larger <= bounds[1] else max(coefficient * (1 - CLOSE_BY / 2), bounds[0])
 
 
 def _bound(
@@ -223,8 +233,7 @@ def _next(
 ) -> float:
     """Where the shapes known so far promise the least difference."""
     if len(tried) == 1:
-        further = tried[0] * FIRST_STEP
-        return further if further <= bounds[1] else max(tried[0] / FIRST_STEP, bounds[0])
+        return _beside(tried[0], bounds)
     differences = [shape_difference(found, reference) for found in shapes]
     nearest = np.argsort(differences)[:REMEMBERED]
     places = 1 / np.array(tried)[nearest]
