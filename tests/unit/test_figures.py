@@ -8,6 +8,7 @@ import pytest
 import xarray as xr
 from synthetic_contact import DATASETS as CHAPTER_4
 from synthetic_datasets import fail, sample, skip, stribeck, work_precision
+from synthetic_solid import DATASETS as CHAPTER_5
 
 from softlub.datasets.variables import FLAGS
 from softlub.figures import DRAWINGS, draw, style
@@ -66,8 +67,8 @@ def figures():
 
 
 def test_every_drawing_has_an_expectation():
-    """Chapter 4's stand in test_figures_chapter4."""
-    assert SERIES.keys() | CHAPTER_4.keys() == DRAWINGS.keys()
+    """Those of chapters 4 and 5 stand in files of their own."""
+    assert SERIES.keys() | CHAPTER_4.keys() | CHAPTER_5.keys() == DRAWINGS.keys()
 
 
 def test_an_unknown_drawing_is_refused_by_name():

@@ -24,7 +24,7 @@ def squeezed(body):
     displacement = np.stack([np.zeros_like(height), 0.1 * (height.max() - height)], axis=1)
     stress = 0.9e6 - 1e8 * body.points[body.cells, 1].mean(axis=1)
     stress[-1] = 1e9
-    return mesh_dataset(body, displacement, {"von_mises_stress": stress})
+    return mesh_dataset(body, displacement, {"stress_von_mises": stress})
 
 
 def drawn(figure):
@@ -57,12 +57,12 @@ def test_a_deformed_mesh_is_coloured_where_it_now_is(body, squeezed):
     border = next(one for one in figure.series if one.series == "body at rest")
     assert border.y.min() == 0.0
     assert (border.x[0], border.y[0]) == (border.x[-1], border.y[-1])
-    assert table(figure).startswith("panel,series,x [m],y [m],von_mises_stress [Pa]")
+    assert table(figure).startswith("panel,series,x [m],y [m],stress_von_mises [Pa]")
 
 
 def test_one_singular_cell_does_not_take_the_colours(squeezed):
     without = squeezed.copy(deep=True)
-    without["von_mises_stress"][-1] = 0.0
+    without["stress_von_mises"][-1] = 0.0
     figures = [drawn(deformed_mesh.draw(dataset)) for dataset in (squeezed, without)]
     limits = [axes.collections[0].get_clim() for figure in figures for axes in figure.axes[:2]]
     assert len(set(limits)) == 1

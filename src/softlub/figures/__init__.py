@@ -57,6 +57,22 @@ DRAWINGS: dict[str, Drawing] = {
         "and mean separation to full contact (c). The load of (a) and (b) is normalised by the spectral rms slope, "
         "that of (c) by the modulus alone.",
         "spectra_and_heights": "Radial spectra over the asked ones (a) and height distributions beside Gauss's (b).",
+        "mesh": "The mesh of a body with its contact edge and the nodes held (a), and its cells at the contact (b).",
+        "deformed_mesh": "The deformed body to scale, coloured by von Mises stress: all of it (a) and the contact (b).",
+        "half_cylinder": "Mesh at rest (a) and under load (b); vertical displacement of the contact edge by finite "
+        "elements and of a half-space under the same nodal forces (c).",
+        "reduced_against_full": "Displacement of the contact edge away from the plate (a) and along it (b), the holder "
+        "at rest: finite elements as lines, the reduced stiffness under the same nodal forces as markers; below, by "
+        "how much the reduced stiffness differs (c, d).",
+        "matrix_entries": "Entries of the reduced stiffness: its diagonal (a), and the root mean square of the row of "
+        "the apex in classes of the distance from it (b).",
+        "moduli": "Storage and loss modulus in tension (a) and loss factor (b) over the angular frequency.",
+        "equivalent_shape": "Contact edge of the viscoelastic body and of hyperelastic ones with α times its "
+        "constants: all of it (a), the contact (b), and the distance of each node from the viscoelastic "
+        "body's (c).",
+        "equivalent_against_full": "Displacement of the contact edge of the viscoelastic body away from the plate (a) "
+        "and along it (b), by finite elements and by the reduced stiffness of hyperelastic bodies under its nodal "
+        "forces; below, the differences (c, d).",
         "work_precision": "Error against CPU time.",
     }.items()
 }

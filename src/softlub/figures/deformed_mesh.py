@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 
 from softlub.figures import style
+from softlub.figures.bodies import with_mesh
 from softlub.figures.mesh_panels import around, colours, corners_of, lines, mesh_panel, seen, whole
 from softlub.figures.panel import DataFigure, Panel, new_figure, styled
 from softlub.figures.quantities import FloatArray, quantity
@@ -18,9 +19,8 @@ CUT_OUT = 0.3
 
 def draw(
     dataset: xr.Dataset,
-    field: str = "von_mises_stress",
-    label: str = "von Mises stress",
-    unit: str = "Pa",
+    friction: float | None = None,
+    load: float | None = None,
     close_up: float | None = None,
     height: float = 3.0,
 ) -> DataFigure:
@@ -29,9 +29,10 @@ def draw(
     Parameters
     ----------
     dataset : xarray.Dataset
-        As `softlub.solid.mesh_dataset.mesh_dataset` makes it, with the field over cell.
-    field, label, unit : str
-        Variable that gives the colours, its name on the scale and its SI unit.
+        Of a study that keeps its meshes, or as `softlub.solid.mesh_dataset.mesh_dataset` makes it, with
+        stress_von_mises over cell.
+    friction, load : float, optional
+        Of the body drawn, where a study swept several [1], [N/m].
     close_up : float, optional
         Width of the cut-out around the lowest point of the contact edge [m]; a third of the edge without it.
     height : float
@@ -41,8 +42,9 @@ def draw(
     -------
     DataFigure
     """
+    dataset, notes = with_mesh(dataset, friction, load)
     corners = corners_of(dataset, deformed=1.0)
-    values = np.asarray(dataset[field].values, dtype=float)
+    values = np.asarray(dataset["stress_von_mises"].values, dtype=float)
     edge = dataset["mesh_edge"].values
     points = dataset["mesh_point"].values
     moved = points + dataset["mesh_displacement"].values
@@ -54,7 +56,7 @@ def draw(
     cut_out = around(float(touching.mean()), float(apex[1]), width, body)
     # The corners of the held side would take all colours: the stress grows there without bound as cells shrink.
     largest = float(values[seen(corners, cut_out)].max())
-    meaning = quantity(field, largest, label=label, unit=unit)
+    meaning = quantity("stress_von_mises", largest, label="von Mises stress")
     with styled():
         figure = new_figure(style.PAGE, height)
         both = figure.subplots(1, 2)
@@ -70,6 +72,7 @@ def draw(
         figure.notes.append(
             "The colours reach up to the largest value in (b); dashed: the border of the body at rest."
         )
+        figure.notes += notes
         return figure
 
 

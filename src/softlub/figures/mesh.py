@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 
 from softlub.figures import style
+from softlub.figures.bodies import with_mesh
 from softlub.figures.mesh_panels import around, corners_of, lines, mesh_panel, whole
 from softlub.figures.panel import DataFigure, new_figure, share_legend, styled
 
@@ -21,7 +22,8 @@ def draw(dataset: xr.Dataset, close_up: float | None = None, height: float = 3.0
     Parameters
     ----------
     dataset : xarray.Dataset
-        As `softlub.solid.mesh_dataset.mesh_dataset` makes it.
+        Of a study that keeps its meshes, the first of which is drawn, or as `softlub.solid.mesh_dataset.mesh_dataset`
+        makes it.
     close_up : float, optional
         Width of the cut-out around the lowest point of the contact edge [m]; an eighth of the edge without it.
     height : float
@@ -31,10 +33,13 @@ def draw(dataset: xr.Dataset, close_up: float | None = None, height: float = 3.0
     -------
     DataFigure
     """
+    dataset, _ = with_mesh(dataset)
     corners, points = corners_of(dataset), dataset["mesh_point"].values
     edge, held = points[dataset["mesh_edge"].values], points[dataset["mesh_held"].values]
     held = held[np.argsort(held[:, 0])]
-    apex = edge[np.argmin(edge[:, 1])]
+    # Where all of the edge is level, its middle.
+    lowest = edge[edge[:, 1] == edge[:, 1].min()]
+    apex = lowest[len(lowest) // 2]
     width = close_up if close_up is not None else CUT_OUT * float(np.ptp(edge[:, 0]))
     with styled():
         figure = new_figure(style.PAGE, height)

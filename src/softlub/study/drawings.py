@@ -15,6 +15,9 @@ from softlub.units import Unit
 
 SPEED = Quantity(Unit("m/s", above=0))
 LOAD = Quantity(Unit("N/m", above=0))
+LENGTH = Quantity(Unit("m", above=0))
+FRICTION = Quantity(Unit("1", at_least=0))
+STEADY_SLIDING = {"friction": FRICTION, "load": LOAD, "steps": Text()}
 HEIGHT = Quantity(Unit("1", above=1, at_most=20))
 """Of a figure [inch]; every drawing has it."""
 VARIABLE = Choice(tuple(name for group in SCALARS for name in OUTPUTS[group]))
@@ -103,6 +106,16 @@ DRAWINGS: dict[str, Drawing] = {
     "contact_lines": Drawing(kinds=("rough_contact",), maps=True),
     "solver_comparison": Drawing(kinds=("rough_contact",)),
     "deflection": Drawing(kinds=("deflection",)),
+    "mesh": Drawing(kinds=("solid",), mesh=True, options={"close_up": LENGTH}),
+    "deformed_mesh": Drawing(
+        kinds=("solid",), mesh=True, options={"friction": FRICTION, "load": LOAD, "close_up": LENGTH}
+    ),
+    "half_cylinder": Drawing(kinds=("solid",), mesh=True, options={"load": LOAD}),
+    "reduced_against_full": Drawing(kinds=("solid",), options={"friction": FRICTION, "load": LOAD}),
+    "matrix_entries": Drawing(kinds=("solid",), options={"friction": FRICTION, "load": LOAD}),
+    "moduli": Drawing(kinds=("material",), options={"material": Text()}),
+    "equivalent_shape": Drawing(kinds=("equivalence",), options=STEADY_SLIDING),
+    "equivalent_against_full": Drawing(kinds=("equivalence",), options=STEADY_SLIDING),
 }
 
 NEEDS = {
