@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from pydantic.json_schema import GenerateJsonSchema, models_json_schema
 
+from softlub.study.base import StudyModel
 from softlub.study.models import FILES, KINDS, SCENES
 
 SCHEMA_FILE = Path("config/study.schema.json")
@@ -27,9 +28,18 @@ def generated() -> dict[str, Any]:
             blocks[model.__name__]["required"].append("kind")
     for scene in SCENES.values():
         # Whatever is swept may stand in the grid alone.
-        blocks[scene.__name__].pop("required", None)
+        for model in (scene, *_bodies(scene)):
+            blocks[model.__name__].pop("required", None)
     alternatives = [keys[model, "validation"] for model in models]
     return {"$schema": GenerateJsonSchema.schema_dialect, "$defs": blocks, "anyOf": alternatives}
+
+
+def _bodies(scene: Any) -> list[Any]:
+    """The model of a scene's body, whose parts may be swept too."""
+    hint = scene.model_fields["body"].annotation if "body" in scene.model_fields else None
+    return [
+        kind for kind in (hint, *get_args(hint)) if isinstance(kind, type) and issubclass(kind, StudyModel)
+    ]
 
 
 def text() -> str:
