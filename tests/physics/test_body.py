@@ -7,6 +7,9 @@ from solid_meshes import Rubber, distorted, on_the_edge, rectangle
 
 from softlub.solid.body import Body
 from softlub.solid.elements import ELEMENTS, ElementInverted
+from softlub.solid.materials.neo_hookean import NeoHookean
+from softlub.solid.materials.prony import PronySeries
+from softlub.solid.materials.viscoelastic import Viscoelastic
 
 KINDS = sorted(ELEMENTS)
 MESH = distorted(rectangle(3e-3, 2e-3, 6, 5), 1e-4)
@@ -166,3 +169,58 @@ def test_an_inverted_element_is_named_and_leaves_the_state():
 def test_an_unknown_element_is_refused_with_the_known_ones():
     with pytest.raises(ValueError, match="'hybrid' must be one of mean_dilatation, reduced_integration"):
         Body(MESH, Rubber(), "hybrid")
+
+
+def viscoelastic_body():
+    material = NeoHookean(0.6e6, 0.04e-6)
+    prony = PronySeries((1e-3, 0.5), (0.8, 0.4), "long_term")
+    return Body(MESH, Viscoelastic(material, prony)), Body(MESH, material)
+
+
+def test_held_at_one_strain_the_overstress_relaxes_as_the_series_says():
+    body, at_rest = viscoelastic_body()
+    held = deformed(MESH, 0.2)
+    body.begin_increment(0.0)
+    overstress = []
+    for duration in (0.0, 2e-3, 0.3):
+        body.begin_increment(duration)
+        overstress.append(body.forces(held) - at_rest.forces(held))
+        body.accept()
+    times = np.array([0.0, 2e-3, 0.302])
+    parts = 0.8 * np.exp(-times / 1e-3) + 0.4 * np.exp(-times / 0.5)
+    scale = np.abs(overstress[0]).max()
+    for part, force in zip(parts, overstress, strict=True):
+        np.testing.assert_allclose(force, overstress[0] * part / parts[0], atol=1e-10 * scale)
+    body.begin_increment(np.inf)
+    np.testing.assert_allclose(body.forces(held), at_rest.forces(held), atol=1e-10 * scale)
+
+
+def test_tangent_with_a_history_agrees_with_finite_differences():
+    body, _ = viscoelastic_body()
+    body.begin_increment(1e-3)
+    body.forces(deformed(MESH, 0.1))
+    body.accept()
+    body.begin_increment(0.2)
+    displacement = deformed(MESH, 0.2, seed=4)
+    tangent = body.tangent_at(displacement)
+    direction = np.random.default_rng(7).standard_normal(displacement.shape)
+    ahead, behind = (body.forces(displacement + step * direction) for step in (1e-8, -1e-8))
+    change = (ahead - behind) / 2e-8
+    assert np.abs(tangent @ direction.ravel() - change).max() <= 1e-6 * np.abs(change).max()
+
+
+def test_restoring_brings_the_history_back():
+    body, _ = viscoelastic_body()
+    body.begin_increment(1e-3)
+    body.forces(deformed(MESH, 0.1))
+    body.accept()
+    checkpoint = body.checkpoint()
+    body.begin_increment(0.1)
+    expected = body.forces(deformed(MESH, 0.12))
+    body.restore(checkpoint)
+    body.begin_increment(5.0)
+    body.forces(deformed(MESH, 0.3))
+    body.accept()
+    body.restore(checkpoint)
+    body.begin_increment(0.1)
+    np.testing.assert_array_equal(body.forces(deformed(MESH, 0.12)), expected)

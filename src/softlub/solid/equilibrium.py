@@ -82,8 +82,8 @@ class LoadControl:
 
     def rise(self, missing: float, gain: float) -> float:
         """Missing load over gain."""
-        if not gain > 0:
-            raise SingularStiffness("no node is in contact, so that no height carries the load")
+        if gain == 0:
+            raise SingularStiffness("no node is in contact, so that no height of the plate changes its load")
         return missing / gain
 
 
@@ -105,7 +105,7 @@ class NewtonSettings:
     """
 
     tolerance: float = 1e-9
-    most_iterations: int = 30
+    most_iterations: int = 20
     largest_step: float = 0.1
     most_halvings: int = 6
 

@@ -16,6 +16,11 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 
+ACCURATE = 1e-10
+"""Part of the right-hand side that a solution may miss."""
+MOST_REFINEMENTS = 3
+
+
 class SingularStiffness(RuntimeError):
     """The stiffness cannot be factorised, or its solution is not finite."""
 
@@ -82,7 +87,7 @@ class FreeSystem:
             factors = splu(matrix, permc_spec=rule, diag_pivot_thresh=0.0, options={"SymmetricMode": True})
         except RuntimeError as error:
             raise SingularStiffness(f"the stiffness is singular ({error})") from error
-        result = Factorisation(factors, self._order)
+        result = Factorisation(factors, matrix, self._order)
         if not self._ordered:
             self._order = np.argsort(factors.perm_c)
             self._ordered = True
@@ -101,10 +106,11 @@ class FreeSystem:
 
 
 class Factorisation:
-    """Factors of one matrix."""
+    """Factors of one matrix, and the matrix itself: without pivoting, a solution may need to be refined."""
 
-    def __init__(self, factors: SuperLU, order: IntArray) -> None:
+    def __init__(self, factors: SuperLU, matrix: csc_matrix, order: IntArray) -> None:
         self._factors = factors
+        self._matrix = matrix
         self._order = order
 
     def solve(self, right: FloatArray) -> FloatArray:
@@ -124,8 +130,15 @@ class Factorisation:
         SingularStiffness
             If the solution is not finite.
         """
+        wanted = np.ascontiguousarray(right[self._order])
+        ordered = self._factors.solve(wanted)
+        for _ in range(MOST_REFINEMENTS):
+            if not np.all(np.isfinite(ordered)):
+                raise SingularStiffness("the stiffness is singular (its solution is not finite)")
+            missing = wanted - self._matrix @ ordered
+            if np.abs(missing).max() <= ACCURATE * np.abs(wanted).max():
+                break
+            ordered += self._factors.solve(missing)
         solution = np.empty_like(right)
-        solution[self._order] = self._factors.solve(np.ascontiguousarray(right[self._order]))
-        if not np.all(np.isfinite(solution)):
-            raise SingularStiffness("the stiffness is singular (its solution is not finite)")
+        solution[self._order] = ordered
         return solution

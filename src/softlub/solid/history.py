@@ -49,6 +49,11 @@ class Increment:
     residual: float
     converged: bool = True
 
+    @property
+    def reaches_the_edge_s_end(self) -> bool:
+        """Whether an outermost node carries a thousandth of the largest nodal force: more of the body would touch."""
+        return bool(self.normal[[0, -1]].max() > 1e-3 * self.normal.max())
+
 
 @dataclass(frozen=True, eq=False)
 class StepEnd:
