@@ -6,7 +6,8 @@ from solid_meshes import Rubber, rounded_block
 from test_plate import LAWS
 
 from softlub.solid.body import Body
-from softlub.solid.equilibrium import EquilibriumSolver, HeightControl, LoadControl, NewtonSettings
+from softlub.solid.control import HeightControl, LoadControl
+from softlub.solid.equilibrium import EquilibriumSolver, NewtonSettings
 from softlub.solid.plate import PlateContact
 from softlub.solid.plate_laws import HardContact
 

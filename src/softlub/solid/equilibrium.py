@@ -13,11 +13,12 @@ active-set method: a node is in contact in the next step if it penetrates after 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from softlub.solid.control import Control
 from softlub.solid.elements import ElementInverted
 from softlub.solid.free_system import FreeSystem, SingularStiffness
 from softlub.solid.plate import PlateContact, PlateForces
@@ -29,62 +30,6 @@ FloatArray = NDArray[np.float64]
 
 ROUNDING = 4 * np.finfo(float).eps
 """Part of stiffness times displacement that no nodal force is more accurate than."""
-
-
-class Control(Protocol):
-    """What is given of the plate: its height or its load."""
-
-    def height(self, present: float) -> float:
-        """Where the plate starts [m], from where it is at present."""
-        ...
-
-    def imbalance(self, load: float) -> float:
-        """What is missing in the load [N/m]."""
-        ...
-
-    def rise(self, missing: float, gain: float) -> float:
-        """How far the plate moves up [m] to make up a missing load [N/m] at a gain [N/m²]."""
-        ...
-
-
-@dataclass(frozen=True)
-class HeightControl:
-    """The plate stands at a given height [m]; the load follows."""
-
-    value: float
-
-    def height(self, present: float) -> float:
-        """The given height."""
-        return self.value
-
-    def imbalance(self, load: float) -> float:
-        """Nothing: every load is right."""
-        return 0.0
-
-    def rise(self, missing: float, gain: float) -> float:
-        """The plate does not move."""
-        return 0.0
-
-
-@dataclass(frozen=True)
-class LoadControl:
-    """The plate carries a given load [N/m]; its height follows."""
-
-    value: float
-
-    def height(self, present: float) -> float:
-        """Where it is."""
-        return present
-
-    def imbalance(self, load: float) -> float:
-        """The given load less the present one."""
-        return self.value - load
-
-    def rise(self, missing: float, gain: float) -> float:
-        """Missing load over gain."""
-        if gain == 0:
-            raise SingularStiffness("no node is in contact, so that no height of the plate changes its load")
-        return missing / gain
 
 
 @dataclass(frozen=True)
@@ -193,7 +138,7 @@ class EquilibriumSolver:
         ----------
         contact : PlateContact
         control : Control
-            `HeightControl` or `LoadControl`.
+            `softlub.solid.control.HeightControl` or `LoadControl`.
         displacement : ndarray, shape (n, 2)
             Where to start, the held nodes as they stay [m].
         plate_height : float

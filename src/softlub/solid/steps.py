@@ -13,14 +13,8 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from softlub.solid.equilibrium import (
-    Control,
-    Equilibrium,
-    EquilibriumSolver,
-    HeightControl,
-    LoadControl,
-    NewtonSettings,
-)
+from softlub.solid.control import Control, HeightControl, LoadControl
+from softlub.solid.equilibrium import Equilibrium, EquilibriumSolver, NewtonSettings
 from softlub.solid.history import Failure, History, Increment, StepEnd
 from softlub.solid.increments import Stepping
 from softlub.solid.plate import PlateContact
