@@ -69,9 +69,9 @@ def test_step_ends_hold_all_nodes_and_increments_the_edge(in_many_increments):
 
 
 def test_a_contact_wider_than_the_edge_is_noticed(in_one_go):
-    assert not in_one_go.last.reaches_the_edge_s_end
+    assert not in_one_go.last.reaches_edge_end
     flat = rounded_block(radius=8e-3)
-    assert run(Body(flat, Rubber()), PlateContact(), [InContact(4e-5)]).last.reaches_the_edge_s_end
+    assert run(Body(flat, Rubber()), PlateContact(), [InContact(4e-5)]).last.reaches_edge_end
 
 
 def test_sliding_without_a_load_step_keeps_the_height():

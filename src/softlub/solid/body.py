@@ -15,7 +15,7 @@ v(u₀) + h(u₀)·(u - u₀): K is a thousand times the shear modulus, so that 
 would swamp the shear stiffness and the iteration diverge. Evaluated twice at one displacement, the tangent is exact.
 
 felupe supplies shape functions, quadrature and materials. Integrating in the plane only, over index maps made once
-(softlub.solid.assembly), is what its SolidBodyNearlyIncompressible does in a third of the time.
+(softlub.solid.assembly), is what its SolidBodyNearlyIncompressible does in 0.55 of the time.
 """
 
 from __future__ import annotations

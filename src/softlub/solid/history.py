@@ -50,7 +50,7 @@ class Increment:
     converged: bool = True
 
     @property
-    def reaches_the_edge_s_end(self) -> bool:
+    def reaches_edge_end(self) -> bool:
         """Whether an outermost node carries a thousandth of the largest nodal force: more of the body would touch."""
         return bool(self.normal[[0, -1]].max() > 1e-3 * self.normal.max())
 
