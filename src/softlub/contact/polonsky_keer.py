@@ -6,10 +6,12 @@ of them, the more so the nearer to full contact.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
-from softlub.contact.rough_surface import check_pressure, scaled_heights, scales
+from softlub.contact.rough_surface import Scales, check_pressure, scaled_heights, scales
 from softlub.contact.solution import ContactSolution
 from softlub.contact.solver.compliance import Compliance, FreeCompliance, PeriodicCompliance
 from softlub.contact.summation import SummedCompliance
@@ -68,23 +70,30 @@ def solve_polonsky_keer(
     units = scales(topography, modulus)
     heights = scaled_heights(topography, units.height)
     convolution = _convolution(topography, summation)
-    mean = pressure / units.pressure
-    found, gap, residuals = _iterate(convolution, heights, mean, tolerance, change, iterations)
-    carrying = found > 0
-    level = float(gap.mean(where=carrying))
+    found, gap, residuals = _iterate(
+        convolution, heights, pressure / units.pressure, tolerance, change, iterations
+    )
     return ContactSolution(
-        pressure=found * units.pressure,
-        gap=(gap - level) * units.height,
+        **_in_units(found, gap, heights, units),
         nominal_pressure=pressure,
-        rigid_approach=(float(heights.max()) + level) * units.height,
         periodic=topography.periodic,
-        full_contact=bool(carrying.all()),
+        full_contact=bool((found > 0).all()),
         converged=residuals[-1] <= tolerance,
         iterations=len(residuals) - 1,
         convolutions=convolution.count,
         residual=residuals[-1],
         residuals=tuple(residuals),
     )
+
+
+def _in_units(pressure: FloatArray, gap: FloatArray, heights: FloatArray, units: Scales) -> dict[str, Any]:
+    """Pressure, gap above the contact level and rigid approach, no longer dimensionless."""
+    level = float(gap.mean(where=pressure > 0))
+    return {
+        "pressure": pressure * units.pressure,
+        "gap": (gap - level) * units.height,
+        "rigid_approach": (float(heights.max()) + level) * units.height,
+    }
 
 
 def _convolution(topography: Topography, summation: bool) -> Compliance:
