@@ -41,17 +41,22 @@ class CoarseCorrection:
         Whether patches also act across the edges; else the blocks are padded with as many empty ones.
     dtype : dtype-like
         Precision of the arrays.
+
+    Attributes
+    ----------
+    sums : ndarray, shape (2, rows of blocks, columns of blocks)
+        Σ φ and Σ φ g over each block, for `free_set.weigh` to fill.
     """
 
     def __init__(self, shape: tuple[int, int], periodic: bool, dtype: Any) -> None:
         self.shape = (-(-shape[0] // BLOCK), -(-shape[1] // BLOCK))
         self._points = shape[0] * shape[1]
-        self.gap_sums: NDArray[Any] = np.zeros(self.shape, dtype)
-        self.weight_sums: NDArray[Any] = np.zeros(self.shape, dtype)
+        self.sums: NDArray[Any] = np.zeros((2, *self.shape), dtype)
+        self._weight_sums, self._gap_sums = self.sums
         copies = 1 if periodic else 2
         padded = (copies * self.shape[0], copies * self.shape[1])
         self._transform = RealTransform(padded, dtype)
-        self._norm = self.gap_sums.dtype.type(1 / (padded[0] * padded[1]))
+        self._norm = self._gap_sums.dtype.type(1 / (padded[0] * padded[1]))
         phase = np.hypot(phases(padded[0])[:, None], half_phases(padded[1])[None, :])
         self._phase = (phase / BLOCK).astype(dtype)
         self._compliance = self._of_blocks(phase, periodic).astype(dtype)
@@ -69,7 +74,7 @@ class CoarseCorrection:
 
     def mean_gap(self) -> float:
         """Mean of the gap over the free set, weighted with φ."""
-        return float(self.gap_sums.sum(dtype=float) / self.weight_sums.sum(dtype=float))
+        return float(self._gap_sums.sum(dtype=float) / self._weight_sums.sum(dtype=float))
 
     def correction(self) -> tuple[NDArray[Any], float, float]:
         """What to add to S_F g on every block, over φ, so that z carries no net load.
@@ -84,14 +89,14 @@ class CoarseCorrection:
             Sum of the gap times what is added.
         """
         mean = self.mean_gap()
-        weight = np.maximum(self.weight_sums, 0)
+        weight = np.maximum(self._weight_sums, 0)
         total = float(weight.sum(dtype=float))
         root = np.sqrt(weight)
         inverse = np.divide(1, root, out=np.zeros_like(root), where=root > 0)
-        alone = inverse * (self.gap_sums - weight.dtype.type(mean) * self.weight_sums)
+        alone = inverse * (self._gap_sums - weight.dtype.type(mean) * self._weight_sums)
         added = inverse * (self._coupled(root, alone, total / self._points) - alone)
         added -= weight.dtype.type(float((weight * added).sum(dtype=float)) / total + mean)
-        product = float((self.gap_sums * added).sum(dtype=float))
+        product = float((self._gap_sums * added).sum(dtype=float))
         return added, mean, product
 
     def _coupled(self, root: NDArray[Any], alone: NDArray[Any], mean_weight: float) -> NDArray[Any]:

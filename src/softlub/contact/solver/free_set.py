@@ -21,21 +21,7 @@ RELEASE = np.float32(0.05)
 
 
 @compiled
-def weigh(
-    pressure,
-    gap,
-    move,
-    rest,
-    level,
-    release,
-    taps,
-    wrap,
-    block,
-    weight,
-    preconditioned,
-    gap_sums,
-    weight_sums,
-):
+def weigh(pressure, gap, move, rest, level, release, taps, wrap, block, weight, preconditioned, sums):
     """Apply the stencil to the free set and to its gap; sum up what the step needs.
 
     Parameters
@@ -58,8 +44,8 @@ def weigh(
         Filled with φ = S 1 on the free set, 0 elsewhere.
     preconditioned : ndarray, shape (nx, ny)
         z of the last iteration; replaced by S g on the free set, 0 elsewhere.
-    gap_sums, weight_sums : ndarray, shape (ceil(nx / block), ceil(ny / block))
-        Filled with Σ φ g and Σ φ over each block.
+    sums : ndarray, shape (2, ceil(nx / block), ceil(ny / block))
+        Filled with Σ φ and Σ φ g over each block.
 
     Returns
     -------
@@ -67,81 +53,78 @@ def weigh(
         Number of free points; Σ of squared violations; Σ g S g; Σ g z_last over the free set.
     """
     nx, ny = pressure.shape
-    number = pressure.dtype.type
-    beyond = number(wrap)
-    free_rows = np.zeros((5, ny + 4), pressure.dtype)
-    gap_rows = np.zeros((5, ny + 4), pressure.dtype)
+    rows = np.zeros((2, 5, ny + 4), pressure.dtype)  # five of the free set, five of its gap
+    folded = np.zeros((3, ny + 4), pressure.dtype)
     filtered = np.zeros((2, ny), pressure.dtype)
     columns = np.zeros((2, ny), pressure.dtype)
-    folded = np.zeros((3, ny + 4), pressure.dtype)
     totals = np.zeros(4)
     for i in range(-4, nx):
-        entering = i + 2
-        slot = (i + 4) % 5
-        on_grid = (entering >= 0) & (entering < nx)
-        _enter(
-            pressure,
-            gap,
-            move,
-            entering % nx,
-            rest,
-            level,
-            release,
-            free_rows,
-            gap_rows,
-            slot,
-            totals,
-            on_grid,
-        )
-        _close(free_rows, slot, number(1) if on_grid else beyond, beyond)
-        _close(gap_rows, slot, number(1) if on_grid else beyond, beyond)
+        _enter(pressure, gap, move, i + 2, rest, level, release, wrap, rows, totals)
         if i >= 0:
-            _filter(free_rows, i, taps, folded, filtered, 0)
-            _filter(gap_rows, i, taps, folded, filtered, 1)
-            _leave(free_rows, gap_rows, (i + 2) % 5, filtered, weight, preconditioned, i, columns, totals)
+            _filter(rows[0], i, taps, folded, filtered[0])
+            _filter(rows[1], i, taps, folded, filtered[1])
+            _leave(
+                rows[0, (i + 2) % 5],
+                rows[1, (i + 2) % 5],
+                i,
+                filtered,
+                weight,
+                preconditioned,
+                columns,
+                totals,
+            )
             if (i + 1) % block == 0 or i + 1 == nx:
-                collect(columns[0], block, weight_sums[i // block])
-                collect(columns[1], block, gap_sums[i // block])
+                collect(columns[0], block, sums[0, i // block])
+                collect(columns[1], block, sums[1, i // block])
                 columns[:] = 0
     return totals[0], totals[1], totals[2], totals[3]
 
 
 @compiled
-def _enter(pressure, gap, move, i, rest, level, release, free_rows, gap_rows, slot, totals, counted):
-    """Lay a grid row out for the stencil; count its free points and squared violations in `totals`."""
+def _enter(pressure, gap, move, entering, rest, level, release, wrap, rows, totals):
+    """Lay a grid row out for the stencil, or what lies beyond an edge.
+
+    A row of the grid has its free points and squared violations counted in `totals`.
+    """
+    nx, ny = pressure.shape
     number = pressure.dtype.type
     zero, one = number(0), number(1)
     least = number(RELEASE)
     inverse = one / least
+    i = entering % nx
+    free_row, gap_row = rows[0, (entering + 2) % 5], rows[1, (entering + 2) % 5]
     count = zero
     square = zero
-    for j in range(pressure.shape[1]):
+    for j in range(ny):
         deviation = gap[i, j] - level
         free = one if pressure[i, j] + rest * move[i, j] > release * deviation else zero
         violation = deviation if pressure[i, j] > least * deviation else pressure[i, j] * inverse
         count += free
         square += violation * violation
-        free_rows[slot, j + 2] = free
-        gap_rows[slot, j + 2] = free * deviation
-    if counted:
+        free_row[j + 2] = free
+        gap_row[j + 2] = free * deviation
+    on_grid = (entering >= 0) & (entering < nx)
+    if on_grid:
         totals[0] += count
         totals[1] += square
+    _close(free_row, one if on_grid else number(wrap), number(wrap))
+    _close(gap_row, one if on_grid else number(wrap), number(wrap))
 
 
 @compiled
-def _close(rows, slot, inside, wrap):
+def _close(row, inside, wrap):
     """Clear a row that lies beyond an edge without period, and lay the halo of two points at either end."""
-    ny = rows.shape[1] - 4
+    ny = row.size - 4
     if inside == 0:
-        rows[slot, :] = 0
-    rows[slot, 0] = wrap * rows[slot, ny]
-    rows[slot, 1] = wrap * rows[slot, ny + 1]
-    rows[slot, ny + 2] = wrap * rows[slot, 2]
-    rows[slot, ny + 3] = wrap * rows[slot, 3]
+        row[:] = 0
+    row[0] = wrap * row[ny]
+    row[1] = wrap * row[ny + 1]
+    row[ny + 2] = wrap * row[2]
+    row[ny + 3] = wrap * row[3]
 
 
 @compiled
-def _filter(rows, i, taps, folded, filtered, which):
+def _filter(rows, i, taps, folded, filtered):
     """Apply the stencil at grid row `i`; grid row k lies in rows[(k + 2) % 5], two places further along."""
     far_up, up, here, down, far_down = i % 5, (i + 1) % 5, (i + 2) % 5, (i + 3) % 5, (i + 4) % 5
     t00, t10, t11, t20, t21, t22 = taps[0], taps[1], taps[2], taps[3], taps[4], taps[5]
@@ -150,21 +133,21 @@ def _filter(rows, i, taps, folded, filtered, which):
         folded[0, k] = t00 * at + t10 * near + t20 * far
         folded[1, k] = t10 * at + t11 * near + t21 * far
         folded[2, k] = t20 * at + t21 * near + t22 * far
-    for j in range(filtered.shape[1]):
-        filtered[which, j] = (
+    for j in range(filtered.size):
+        filtered[j] = (
             folded[0, j + 2] + (folded[1, j + 1] + folded[1, j + 3]) + (folded[2, j] + folded[2, j + 4])
         )
 
 
 @compiled
-def _leave(free_rows, gap_rows, slot, filtered, weight, preconditioned, i, columns, totals):
+def _leave(free_row, gap_row, i, filtered, weight, preconditioned, columns, totals):
     """Store the stencils of a row on the free set; add Σ g S g and Σ g z_last to `totals`."""
     number = weight.dtype.type
     product = number(0)
     product_last = number(0)
     for j in range(weight.shape[1]):
-        free = free_rows[slot, j + 2]
-        deviation = gap_rows[slot, j + 2]
+        free = free_row[j + 2]
+        deviation = gap_row[j + 2]
         share = free * filtered[0, j]
         stiff = free * filtered[1, j]
         product += deviation * stiff
@@ -173,9 +156,29 @@ def _leave(free_rows, gap_rows, slot, filtered, weight, preconditioned, i, colum
         preconditioned[i, j] = stiff
     for j in range(weight.shape[1]):
         columns[0, j] += weight[i, j]
-        columns[1, j] += weight[i, j] * gap_rows[slot, j + 2]
+        columns[1, j] += weight[i, j] * gap_row[j + 2]
     totals[2] += product
     totals[3] += product_last
+
+
+@compiled
+def carried(pressure, gap):
+    """Number of points that carry pressure and the sum of their gaps."""
+    nx, ny = pressure.shape
+    number = pressure.dtype.type
+    zero, one = number(0), number(1)
+    count = 0.0
+    gaps = 0.0
+    for i in range(nx):
+        row_count = zero
+        row_gap = zero
+        for j in range(ny):
+            carries = one if pressure[i, j] > zero else zero
+            row_count += carries
+            row_gap += carries * gap[i, j]
+        count += row_count
+        gaps += row_gap
+    return count, gaps
 
 
 @compiled

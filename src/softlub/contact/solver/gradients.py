@@ -148,8 +148,7 @@ class FreeSetGradients:
             BLOCK,
             self._weight,
             self._preconditioned,
-            self._coarse.gap_sums,
-            self._coarse.weight_sums,
+            self._coarse.sums,
         )
         return float(np.sqrt(square / max(count, 1.0))), product, product_last
 
@@ -170,7 +169,7 @@ class FreeSetGradients:
             slope, clipped = self._descend(), 1.0
         energy = self._compliance.apply()
         factor = self._factor(-slope / energy if energy > 0 else 0.0, clipped)
-        carrying, gaps, _ = steps.advance(
+        carrying, gaps = steps.advance(
             self.pressure, self.gap, self._compliance.source, self._compliance.result, self._number(factor)
         )
         self.level = gaps / carrying
@@ -181,11 +180,7 @@ class FreeSetGradients:
         number, move = self._number, self._compliance.source
         total, weight, clipped = steps.search(
             self.pressure,
-            self.gap,
             self._weight,
-            number(self._rest),
-            number(self.level),
-            number(self._release),
             coarse,
             BLOCK,
             self._preconditioned,

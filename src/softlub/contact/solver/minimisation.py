@@ -63,6 +63,7 @@ class Minimisation:
         self._minimisers: dict[str, FreeSetGradients] = {}
         self._coarse_convolutions = 0.0
         self._taken = False
+        self._holds_stiffness = False
         self.pressure: FloatArray = np.empty(0)
         self.gap: FloatArray = np.empty(0)
         self.level = self.residual = self._deepest = np.nan
@@ -109,7 +110,8 @@ class Minimisation:
         That of full contact, clipped where it pulls, and shifted to the load; on large grids and away from full
         contact, that of a grid of half as many points a side.
         """
-        self._stiffness_of_heights()
+        if not self._holds_stiffness:  # a trial of full contact has left it there
+            self._stiffness_of_heights()
         pressure = np.empty(self.heights.shape, np.float32)
         project_onto_load(self._single.result, load, pressure)
         nx, ny = self.heights.shape
@@ -121,6 +123,7 @@ class Minimisation:
     def _stiffness_of_heights(self) -> None:
         self._single.source[:] = self.heights if self.periodic else self.heights - self.heights.min()
         self._single.stiffness_of_source()
+        self._holds_stiffness = True
         self._deepest = -float(self._single.result.min())
 
     def _coarse_pressure(self, load: float, pressure: NDArray[np.float32]) -> None:
@@ -182,6 +185,7 @@ class Minimisation:
         minimiser = self._minimiser("single", load)
         minimiser.pressure[:] = pressure
         self._single.source[:] = pressure
+        self._holds_stiffness = False
         self._single.apply()
         np.subtract(self._single.result, self.heights, out=minimiser.gap, casting="same_kind")
         return minimiser
@@ -207,7 +211,8 @@ class Minimisation:
         double.apply()
         self.pressure = double.source
         self.gap = np.subtract(double.result, self.heights, out=double.result)
-        self.level = float(self.gap.mean(where=self.pressure > 0))
+        carrying, gaps = free_set.carried(self.pressure, self.gap)
+        self.level = gaps / carrying
         count, square = free_set.residual_squares(self.pressure, self.gap, self.level)
         self.residual = float(np.sqrt(square / count))
 

@@ -11,18 +11,15 @@ from softlub.contact.solver.compiled import compiled
 
 
 @compiled
-def search(
-    pressure, gap, weight, rest, level, release, coarse, block, preconditioned, direction, momentum, step
-):
+def search(pressure, weight, coarse, block, preconditioned, direction, momentum, step):
     """Complete z, set direction to -z + momentum · direction, and sum up the trial max(0, p + step · direction).
 
     A point that is not free but still carries pressure gives it up: its trial is 0.
 
     Parameters
     ----------
-    pressure, gap, weight : ndarray, shape (nx, ny)
-    rest, level, release : float
-        As in `free_set.weigh`.
+    pressure, weight : ndarray, shape (nx, ny)
+        The weight φ is positive on the free set (no stencil of free points sums to less), 0 elsewhere.
     coarse : ndarray
         What is added to S g on every block, over φ.
     block : int
@@ -51,9 +48,9 @@ def search(
         row_weight = zero
         row_clipped = zero
         for j in range(ny):
-            last = pressure[i, j] + rest * direction[i, j]
-            free = one if last > release * (gap[i, j] - level) else zero
-            value = preconditioned[i, j] + weight[i, j] * correction[j]
+            share = weight[i, j]
+            free = one if share > zero else zero
+            value = preconditioned[i, j] + share * correction[j]
             preconditioned[i, j] = value
             towards = free * (momentum * direction[i, j] - value) - (one - free) * pressure[i, j] / step
             direction[i, j] = towards
@@ -61,7 +58,7 @@ def search(
             positive = free if trial > zero else zero
             row_total += positive * trial
             row_clipped -= (one - positive) * trial
-            row_weight += positive * weight[i, j]
+            row_weight += positive * share
         total += row_total
         total_weight += row_weight
         clipped += row_clipped
@@ -133,33 +130,28 @@ def advance(pressure, gap, move, displacement, factor):
     Returns
     -------
     tuple of float
-        Number of points that carry pressure in the trial, Σ of their gaps, Σ of the pressure. What the trial clipped
-        is about to leave the contact: its gaps would lift the contact level.
+        Number of points that carry pressure in the trial, and Σ of their gaps. What the trial clipped is about to
+        leave the contact: its gaps would lift the contact level.
     """
     nx, ny = pressure.shape
     number = pressure.dtype.type
     zero, one = number(0), number(1)
     count = 0.0
     gap_total = 0.0
-    total = 0.0
     for i in range(nx):
         row_count = zero
         row_gap = zero
-        row_total = zero
         for j in range(ny):
             value = pressure[i, j] + factor * move[i, j]
             opening = gap[i, j] + factor * displacement[i, j]
             carries = one if pressure[i, j] + move[i, j] > zero else zero
-            value = value if value > zero else zero
-            pressure[i, j] = value
+            pressure[i, j] = value if value > zero else zero
             gap[i, j] = opening
             row_count += carries
             row_gap += carries * opening
-            row_total += value
         count += row_count
         gap_total += row_gap
-        total += row_total
-    return count, gap_total, total
+    return count, gap_total
 
 
 @compiled
