@@ -5,16 +5,19 @@ from __future__ import annotations
 import copy
 from typing import Any
 
+import numpy as np
+
 from softlub.contact.laws.exponential import ExponentialLaw
 from softlub.contact.laws.none import NoContact
 from softlub.contact.laws.persson import PerssonLaw
 from softlub.contact.laws.tabulated import TabulatedLaw
 from softlub.lubrication.film import Lubricant
+from softlub.lubrication.meshed_body import MeshedBody
 from softlub.lubrication.problem import HalfSpaceCylinder, Problem
-from softlub.protocols import ContactLaw
-from softlub.solid.materials.linear_elastic import LinearElastic
+from softlub.protocols import Compliance, ContactLaw
 from softlub.solid.shapes.cylinder import Cylinder
 from softlub.stages.tabulated import SweptSurface
+from softlub.study import parts
 from softlub.study.specimens import height_scale, without_specimen
 from softlub.surfaces.spectrum import SelfAffine, Smooth
 
@@ -22,7 +25,6 @@ Scene = dict[str, Any]
 
 SURFACES = {"self_affine": SelfAffine, "smooth": Smooth}
 SHAPES = {"cylinder": Cylinder}
-MATERIALS = {"linear_elastic": LinearElastic}
 LAWS = {"persson": PerssonLaw, "exponential": ExponentialLaw}
 
 
@@ -50,9 +52,12 @@ def with_value(scene: Scene, path: str, value: Any) -> Scene:
     return changed
 
 
-def material(scene: Scene) -> LinearElastic:
-    """The body's material."""
-    return _build(MATERIALS, scene["body"]["material"])
+def material(scene: Scene) -> Any:
+    """The body's material; of one with a memory that at rest, since a film is steady in the frame of the body."""
+    block = scene["body"]["material"]
+    if block["kind"] in parts.RATE_INDEPENDENT:
+        return _build(parts.RATE_INDEPENDENT, block)
+    return parts.built(parts.MATERIALS, block).at_rest
 
 
 def rms_roughness(scene: Scene, swept: SweptSurface | None = None) -> float:
@@ -73,7 +78,13 @@ def rms_roughness(scene: Scene, swept: SweptSurface | None = None) -> float:
     return _surface(scene).rms_roughness
 
 
-def problem(scene: Scene, load: float, speed: float, swept: SweptSurface | None = None) -> Problem:
+def problem(
+    scene: Scene,
+    load: float,
+    speed: float,
+    swept: SweptSurface | None = None,
+    compliance: Compliance | None = None,
+) -> Problem:
     """The lubricated contact of a scene.
 
     Parameters
@@ -84,14 +95,15 @@ def problem(scene: Scene, load: float, speed: float, swept: SweptSurface | None 
         W [N/m], v [m/s].
     swept : SweptSurface, optional
         The rough contact that a tabulated law comes from.
+    compliance : Compliance, optional
+        Of a body of finite elements.
 
     Returns
     -------
     Problem
     """
-    shape = _build(SHAPES, scene["body"]["shape"])
     return Problem(
-        body=HalfSpaceCylinder(radius=shape.radius, modulus=material(scene).plane_strain_modulus),
+        body=_body(scene, compliance),
         law=_law(scene, swept),
         lubricant=Lubricant(**scene["lubricant"]),
         load=load,
@@ -99,6 +111,27 @@ def problem(scene: Scene, load: float, speed: float, swept: SweptSurface | None 
         rms_roughness=rms_roughness(scene, swept),
         half_domain=scene.get("half_domain"),
     )
+
+
+def _body(scene: Scene, compliance: Compliance | None) -> HalfSpaceCylinder | MeshedBody:
+    modulus = material(scene).plane_strain_modulus
+    if compliance is None:
+        return HalfSpaceCylinder(radius=_build(SHAPES, scene["body"]["shape"]).radius, modulus=modulus)
+    return MeshedBody(compliance, _tip_radius(scene, compliance), modulus)
+
+
+def _tip_radius(scene: Scene, compliance: Compliance) -> float:
+    """R of the shape where it has one, and otherwise of the parabola through the lowest quarter of its gap [m].
+
+    It makes units and first guesses alone.
+    """
+    shape = scene["body"]["shape"]
+    if shape["kind"] != "profile":
+        return float(parts.built(parts.MESHED_SHAPES, shape).tip_radius)
+    x, gap = compliance.positions, compliance.base_gap - compliance.base_gap.min()
+    low = gap <= gap.max() / 4
+    curvature = 2 * float(np.polyfit(x[low], gap[low], 2)[0]) if low.sum() > 2 else 0.0
+    return min(1 / curvature, float(np.ptp(x))) if curvature > 0 else float(np.ptp(x))
 
 
 def _law(scene: Scene, swept: SweptSurface | None) -> ContactLaw:

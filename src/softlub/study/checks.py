@@ -17,6 +17,8 @@ from softlub.study.solid_checks import body_problems, solid_problems
 
 ALL_SOLVERS = ("stribeck", "parameter_study")
 """Drawings that show the curves of every solver; the others show Newton's only."""
+MESHED_SOLVERS = ("auto", "finite_volume")
+"""Solvers that know bodies of finite elements."""
 
 
 def problems_of(study: Study) -> list[Problem]:
@@ -60,6 +62,13 @@ def _solver_problems(study: Study) -> Iterator[Problem]:
                 "solver",
                 f"{solver.name} knows the cavitation reynolds only; allowed here: auto, finite_volume",
             )
+        if solver.name not in MESHED_SOLVERS and "initial" in _values(study, "body.stiffness"):
+            yield Problem(
+                "solver",
+                f"{solver.name} knows half-spaces only; allowed with stiffness initial: {', '.join(MESHED_SOLVERS)}",
+            )
+        if solver.half_domain is not None and "initial" in _values(study, "body.stiffness"):
+            yield Problem("solver", f"{label} has a half_domain, and the film is as wide as the contact edge")
         if solver.name == "bml" and "none" in _values(study, "contact_law.name"):
             yield Problem(
                 "solver", "bml needs asperity contact, and contact_law is none; allowed here: auto, ehl, …"
@@ -113,3 +122,9 @@ def _grid_problems(study: Study) -> Iterator[Problem]:
         yield Problem(
             "grid", "a sample and swept fields exclude each other; put the fields among the sample's ranges"
         )
+    for path in study.sample.ranges if study.sample else ():
+        if path.startswith("body.") and study.scene["body"]["stiffness"] != "half_space":
+            yield Problem(
+                f"grid.sample.ranges.scene.{path}",
+                "would need a reduced stiffness for every point of the sample; sweep the field in steps instead",
+            )

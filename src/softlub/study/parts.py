@@ -46,6 +46,8 @@ MESHED_SHAPES: dict[str, type] = {
     "strip": Strip,
     "profile": ProfileFile,
 }
+ROUND_TIPS = ("triangle", "half_cylinder", "profile")
+"""Those of them that a film builds up under."""
 RATE_INDEPENDENT: dict[str, type] = {
     "linear_elastic": LinearElastic,
     "neo_hookean": NeoHookean,

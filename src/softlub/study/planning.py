@@ -146,7 +146,11 @@ def _panels(
 def _solved_values(sweep: Sweep) -> list[Any]:
     """Values of a swept field as a panel knows them: a surface by its spectrum."""
     values: list[Any] = plain(sweep.values)
-    return [without_specimen(value) for value in values] if sweep.path == "surface" else values
+    if sweep.path == "surface":
+        return [without_specimen(value) for value in values]
+    if sweep.path == "body.shape":
+        return [_without_file(value) for value in values]
+    return values
 
 
 def base_scene(study: Study, half_domain: float | None = None) -> dict[str, Any]:
@@ -164,17 +168,25 @@ def base_scene(study: Study, half_domain: float | None = None) -> dict[str, Any]
     """
     scene: dict[str, Any] = copy.deepcopy(dict(study.scene))
     scene["half_domain"] = half_domain or scene["half_domain"] or PRESETS[study.accuracy].half_domain
-    if "mesh" in scene["body"]:
-        scene["body"]["mesh"] = settled_mesh(study.accuracy, scene["body"]["mesh"])
     for sweep in study.sweeps:
         scene = paths.replaced(scene, sweep.path, plain(sweep.values[0]))
     for path, bounds in (study.sample.ranges if study.sample else {}).items():
         if path != "load":
             scene = paths.replaced(scene, path, bounds.low)
+    if scene["body"]["stiffness"] != "half_space":
+        # Its film reaches as far as its contact edge.
+        scene["half_domain"] = None
+        scene["body"]["mesh"] = settled_mesh(study.accuracy, scene["body"]["mesh"])
+        scene["body"]["shape"] = _without_file(scene["body"]["shape"])
     # Where a measured surface lies is no part of the key: what is in it stands in the law's.
     surface = without_specimen(scene["surface"])
     scene["surface"] = {"kind": "measured"} if surface["kind"] == "measured" else surface
     return scene
+
+
+def _without_file(shape: Mapping[str, Any]) -> dict[str, Any]:
+    """A shape without the place of a measured edge, what is in which stands in the stiffness's key."""
+    return {key: value for key, value in shape.items() if key != "file"}
 
 
 def _chunks(study: Study) -> Iterator[dict[str, Any] | None]:

@@ -95,6 +95,10 @@ class Body(StudyModel):
                 f"stiffness {self.stiffness} needs a shape of finite elements, and shape is {kind}; "
                 f"allowed: {', '.join(parts.MESHED_SHAPES)}"
             )
+        if self.stiffness != "half_space" and kind not in parts.ROUND_TIPS:
+            raise ValueError(
+                f"shape {kind} is flat, and no film builds up under it; allowed: {', '.join(parts.ROUND_TIPS)}"
+            )
         for name in ("element", "mesh"):
             if self.stiffness == "half_space" and getattr(self, name) is not None:
                 raise ValueError(f"{name} is for bodies of finite elements; leave it out with half_space")
@@ -137,6 +141,15 @@ class Scene(StudyModel):
             raise ValueError(
                 f"contact_law {law.name} needs a spectrum, and the surface is measured; "
                 "take boundary_element, or fit a self_affine surface to it"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _domain_is_the_edge(self) -> Scene:
+        if self.half_domain is not None and self.body.stiffness != "half_space":
+            raise ValueError(
+                "half_domain is for half-spaces: the film of a meshed body reaches as far as its contact edge; "
+                "leave it out, and give body.shape a wider edge_width"
             )
         return self
 
