@@ -61,9 +61,21 @@ rule stress_chunk:
 
 
 # Other projects' solvers, in an environment of their own; not part of `benchmarks`, since ASPHER must be compiled.
+# A job a grid and one for the sweep: what was killed goes on from there. Each takes all cores, to be timed alone.
+PEER_SIZES = (256, 512, 1024, 2048, 4096)
+PEER_CODE = [
+    BENCHMARK_CODE.format(name=name)
+    for name in ("contact_errors", "contact_solvers", "peer_solvers")
+]
+PEER_PARTS = [
+    *expand("results/benchmarks/peers/{points}.nc", points=PEER_SIZES),
+    "results/benchmarks/peers/sweep.nc",
+]
+
+
 rule peers:
     input:
-        "results/benchmarks/peers.nc",
+        expand(RESULT + ".nc", name=("peers", "peers_area", "peers_ratios")),
 
 
 rule peers_environment:
@@ -76,15 +88,58 @@ rule peers_environment:
         "python {input.code} {input.requirements} .venv-peers"
 
 
-rule benchmark_peers:
+rule peers_size:
     input:
-        code=BENCHMARK_CODE.format(name="peers"),
-        peer=BENCHMARK_CODE.format(name="peer_solvers"),
+        code=BENCHMARK_CODE.format(name="peers_size"),
+        others=PEER_CODE,
         environment=".venv-peers/ready",
     output:
-        dataset="results/benchmarks/peers.nc",
-        pictures=multiext("results/benchmarks/peers", ".pdf", ".png", ".svg", ".csv"),
+        dataset="results/benchmarks/peers/{points}.nc",
+    wildcard_constraints:
+        points=r"\d+",
+    threads: workflow.cores
+    params:
+        points=lambda wildcards: int(wildcards.points),
+        python=".venv-peers/bin/python",
+    script:
+        "../scripts/run_benchmark.py"
+
+
+rule peers_sweep:
+    input:
+        code=BENCHMARK_CODE.format(name="peers_sweep"),
+        others=PEER_CODE,
+        environment=".venv-peers/ready",
+    output:
+        dataset="results/benchmarks/peers/sweep.nc",
+    threads: workflow.cores
     params:
         python=".venv-peers/bin/python",
+    script:
+        "../scripts/run_benchmark.py"
+
+
+rule peers_joined:
+    input:
+        code=BENCHMARK_CODE.format(name="peers"),
+        drawing=BENCHMARK_CODE.format(name="peers_drawing"),
+        parts=PEER_PARTS,
+    output:
+        dataset=RESULT.format(name="peers") + ".nc",
+        pictures=multiext(RESULT.format(name="peers"), ".pdf", ".png", ".svg", ".csv"),
+    script:
+        "../scripts/run_benchmark.py"
+
+
+rule peers_derived:
+    input:
+        code=BENCHMARK_CODE,
+        drawing=BENCHMARK_CODE.format(name="peers_drawing"),
+        parts=["results/benchmarks/peers.nc"],
+    output:
+        dataset=RESULT + ".nc",
+        pictures=multiext(RESULT, ".pdf", ".png", ".svg", ".csv"),
+    wildcard_constraints:
+        name="peers_area|peers_ratios",
     script:
         "../scripts/run_benchmark.py"
