@@ -52,8 +52,7 @@ def solve_polonsky_keer(
     iterations : int
         Iterations at most.
     summation : bool
-        Sum the influence of every point on every other directly instead of by transforms; not for periodic
-        surfaces.
+        Sum all influences directly instead of by transforms; not for periodic surfaces.
 
     Returns
     -------
