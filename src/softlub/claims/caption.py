@@ -99,6 +99,8 @@ def _state_of_points(dataset: xr.Dataset) -> str:
     """How many of the points asked for converged, by solver where there are several."""
     if "converged" not in dataset:
         return ""
+    if "stop_reason" in dataset:
+        return escape(_state_of_bodies(dataset))
     flags = dataset["flags"] if "flags" in dataset else xr.zeros_like(dataset["converged"], dtype=int)
     asked = (flags.astype(int) & FLAGS["not_attempted"]) == 0
     failed = asked & ~dataset["converged"].astype(bool)
@@ -112,6 +114,24 @@ def _state_of_points(dataset: xr.Dataset) -> str:
         ]
         counts += f" ({'; '.join(each)})"
     return escape(f"{counts}; crosses mark them, and curves have a gap there.")
+
+
+def _state_of_bodies(dataset: xr.Dataset) -> str:
+    """How many finite-element bodies were taken through all of their steps, and which increments were given up."""
+    done = dataset["converged"].astype(bool)
+    count, failed = done.size, int((~done).sum())
+    cut = int(dataset["rejected_increments"].sum()) if "rejected_increments" in dataset else 0
+    tried = f" {cut} increments that did not converge were tried again in smaller ones." if cut else ""
+    if not failed:
+        return f"All {count} bodies got to the end of their steps.{tried}"
+    reasons = sorted(
+        {str(reason).rstrip(".") for reason in dataset["stop_reason"].values.ravel() if str(reason)}
+    )
+    whose = "its" if failed == 1 else "their"
+    return (
+        f"{failed} of {count} bodies did not get to the end of {whose} steps ({'; '.join(reasons)}); crosses mark "
+        f"them.{tried}"
+    )
 
 
 def _flagged_points(dataset: xr.Dataset) -> str:

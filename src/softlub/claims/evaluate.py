@@ -26,6 +26,10 @@ CHAPTERS = (
     "chapter4_contact",
     "chapter4_spectrum",
     "chapter4_heights",
+    "chapter5",
+    "chapter5_matrix",
+    "chapter5_materials",
+    "chapter5_equivalence",
 )
 """Files of checks."""
 

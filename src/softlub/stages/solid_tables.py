@@ -58,6 +58,7 @@ def final(state: xr.Dataset, keep: Sequence[str]) -> xr.Dataset:
         converged=state["completed"] == 1,
         iterations=state["iterations"].sum(),
         increments=state.sizes["increment"],
+        rejected_increments=state["rejected_increments"],
         residual=state["residual"].max(),
         solver_seconds=state["solver_seconds"],
         stop_reason=state["stop_reason"],
