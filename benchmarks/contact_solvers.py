@@ -130,8 +130,8 @@ def peer(name: str, python: str, preloaded: Sequence[str] = (), packages: str = 
 def our_solvers() -> dict[str, Solver]:
     """What softlub itself offers; quick enough for every grid, or here for comparison."""
     return {
-        OURS: Solver(ours, (1e-5, 3e-6, 1e-6, 3e-7, 1e-7), 1, ladder_to=4096, loads_to=4096, largest=4096),
-        "Polonsky–Keer (softlub)": Solver(polonsky_keer, (3e-6, 1e-6, 3e-7, 1e-7)),
+        OURS: Solver(ours, (1e-5, 3e-6, 1e-6, 3e-7, 1e-7), 1, ladder_to=2048, loads_to=4096, largest=4096),
+        "Polonsky–Keer (softlub)": Solver(polonsky_keer, (3e-6, 1e-6, 3e-7, 1e-7), 1),
     }
 
 
@@ -156,5 +156,12 @@ def all_solvers(python: str) -> dict[str, Solver]:
         wheel = wheel._replace(follows=name, loads_to=512)
     return found | {
         "tamaas, wheel": wheel,
-        "ContactMechanics": Solver(peer("contact_mechanics", python), (1e-3, 1e-4, 1e-5, 1e-6), 1),
+        "ContactMechanics": Solver(
+            peer("contact_mechanics", python),
+            (1e-3, 1e-4, 1e-5, 1e-6),
+            2,
+            ladder_to=256,
+            loads_to=512,
+            largest=1024,
+        ),
     }

@@ -1,10 +1,13 @@
 """Figures of the comparison with other projects: work against precision, and CPU time at equal errors."""
 
+from textwrap import wrap
+
 import numpy as np
 import xarray as xr
 from contact_errors import LARGEST_AREA_ERROR, LARGEST_GAP_ERROR, meets
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from softlub.figures import style
 from softlub.figures.panel import DataFigure, Panel, new_figure, share_legend, styled
@@ -42,14 +45,47 @@ def work_precision(dataset: xr.Dataset, error: str) -> DataFigure:
             for row, load in enumerate(DRAWN_LOADS)
             for column, points in enumerate(sizes)
         ]
-        for axis in axes[:-1].flat:
-            axis.set_xlabel("")
-        for axis in axes[:, 1:].flat:
-            axis.set_ylabel("")
+        _label_outside(axes, sizes)
+        for column, points in enumerate(sizes):
+            _set_time_limits(axes[0, column], dataset["cpu_time"].sel(points=points, load=list(DRAWN_LOADS)))
         _explain(panels[0])
         share_legend(figure, panels, 4)
         figure.notes.append(_not_run(dataset))
+        figure.legends[0].set_title("\n".join(wrap(figure.notes[0], 150)), {"size": 5.5})
         return figure
+
+
+def _label_outside(axes: np.ndarray, sizes: list[int]) -> None:
+    """Grids above the columns, loads beside the rows, and axis labels on the outer panels only."""
+    for axis, points in zip(axes[0], sizes, strict=True):
+        axis.set_title(f"$N$ = {points}", fontsize=7)
+    for axis, load in zip(axes[:, -1], DRAWN_LOADS, strict=True):
+        axis.annotate(
+            rf"$p$ = {style.power(load)} $E^* h'_\mathrm{{rms}}$",
+            (1.06, 0.5),
+            xycoords="axes fraction",
+            rotation=-90,
+            va="center",
+            fontsize=7,
+        )
+    for axis in axes[:-1].flat:
+        axis.set_xlabel("")
+    for axis in axes[:, 1:].flat:
+        axis.set_ylabel("")
+
+
+def _set_time_limits(axes: Axes, seconds: xr.DataArray) -> None:
+    """Limits of the time axis around all its points, wide enough for the labels of two powers of ten."""
+    exponents = np.log10(seconds.values[np.isfinite(seconds.values)])
+    lower, upper = exponents.min() - 0.25, exponents.max() + 0.25
+    if np.floor(upper) <= np.ceil(lower):
+        if lower - np.floor(lower) < np.ceil(upper) - upper:
+            lower = np.floor(lower)
+        else:
+            upper = np.ceil(upper)
+    axes.set_xlim(10.0**lower, 10.0**upper)
+    axes.xaxis.set_major_locator(LogLocator(numticks=12))
+    axes.xaxis.set_minor_formatter(NullFormatter())
 
 
 def _errors_panel(axes: Axes, runs: xr.Dataset, error: str, case: tuple[float, int]) -> Panel:
@@ -59,7 +95,8 @@ def _errors_panel(axes: Axes, runs: xr.Dataset, error: str, case: tuple[float, i
     panel = Panel(axes, seconds, quantity(error, label=LABELS[error], unit="1"), name)
     axes.set_xscale("log")
     axes.set_yscale(**SCALES[error])
-    axes.set_title(rf"$N$ = {points}, $p$ = {style.power(load)} $E^*h'_\mathrm{{rms}}$", fontsize=6)
+    if error == "area_error":
+        axes.set_yticks([0, *(10.0**power for power in range(-7, -2))])
     axes.axhline(LIMITS[error], color=style.GREY, linewidth=0.6, linestyle=(0, (2, 2)))
     for solver in runs["solver"].values.tolist():
         run = runs.sel(solver=solver)
@@ -110,17 +147,19 @@ def _explain(panel: Panel) -> None:
 
 
 def _not_run(dataset: xr.Dataset) -> str:
-    """Which solver was left out on which grid and load."""
+    """Which solver was left out on which grids and loads."""
     run = dataset["cpu_time"].notnull().any("step")
     wanted = run.any("solver")
     left_out = []
     for solver in dataset["solver"].values.tolist():
-        for points in dataset["points"].values.tolist():
-            here = {"points": points}
-            missing = wanted.sel(here) & ~run.sel(here | {"solver": solver})
-            loads = [f"{load:g}" for load in dataset["load"].values[missing.values]]
-            if loads:
-                left_out.append(f"{solver} at N = {points}, p/(E*h'rms) = {', '.join(loads)}")
+        here = run.sel(solver=solver)
+        somewhere = dataset["points"].values[here.any("load").values]
+        everywhere = dataset["points"].values[(here == wanted).all("load").values]
+        if everywhere.size == dataset.sizes["points"]:
+            continue
+        partly = f", beyond {everywhere.max()} only at one load" if somewhere.max() > everywhere.max() else ""
+        beyond = f"beyond N = {somewhere.max()}" if somewhere.max() < dataset["points"].max() else ""
+        left_out.append(f"{solver} {beyond}{partly}".replace(" , ", " "))
     return (
         f"Not run, for their time: {'; '.join(left_out)}." if left_out else "Every solver was run everywhere."
     )

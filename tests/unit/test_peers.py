@@ -203,7 +203,7 @@ def test_figures_show_every_run_and_say_what_was_not_run(joined, monkeypatch):
         (joined["solver"] == contact_solvers.OURS) | (joined["points"] == POINTS)
     )
     figure = peers.draw(left_out)
-    assert f"Polonsky–Keer (softlub) at N = {2 * POINTS}" in figure.notes[0]
+    assert f"Polonsky–Keer (softlub) beyond N = {POINTS}" in figure.notes[0]
     drawn = sum(series.x.size for series in figure.series)
     assert drawn == int(left_out["cpu_time"].sel(load=[1.0, 0.05]).notnull().sum())
     assert all("(" in axes.get_xlabel() for axes in figure.axes[-2:])
