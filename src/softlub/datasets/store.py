@@ -83,6 +83,8 @@ def read(path: str | os.PathLike[str]) -> xr.Dataset:
     """
     with xr.open_dataset(path, engine="netcdf4") as stored:
         dataset = stored.load()
+    # A dimension without entries is one of any length to netCDF, which nothing made of the dataset needs to be.
+    dataset.encoding.pop("unlimited_dims", None)
     if "converged" in dataset:
         dataset["converged"] = dataset["converged"].astype(bool)
     return dataset

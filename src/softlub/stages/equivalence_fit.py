@@ -2,8 +2,8 @@
 
 The state of the best run as `softlub.stages.solid_state` tells it, with `coefficient`, `shape_difference`,
 `shape_difference_normalised`, `fit_converged`, and over `run` every `tried_coefficient` and `tried_difference`. Where
-the viscoelastic body or one of the runs did not complete its steps there is no shape to fit: `coefficient` is NaN, and
-`stop_reason` says why.
+the viscoelastic body or one of the runs did not complete its steps there is no shape to fit: `coefficient` is NaN,
+`completed` 0, and `stop_reason` says why.
 """
 
 from __future__ import annotations
@@ -97,6 +97,7 @@ def _facts(found: EquivalentModel | None, reason: str) -> dict[str, Any]:
             "shape_difference": np.nan,
             "shape_difference_normalised": np.nan,
             "fit_converged": 0,
+            "completed": 0,
             "tried_coefficient": ("run", np.empty(0)),
             "tried_difference": ("run", np.empty(0)),
             "stop_reason": reason,

@@ -64,10 +64,11 @@ def _one(spec: Spec, places: Mapping[str, Any], files: Mapping[str, Sequence[xr.
     stiffnesses = [
         files["stiffness"][place] for place in (places["stiffness_fitted"], *places["stiffness_given"])
     ]
-    moved = [ReducedStiffness.from_dataset(one).displacement(forces) for one in stiffnesses]
+    reduced = [ReducedStiffness.from_dataset(one) for one in stiffnesses]
+    moved = [solid_tables.reduced_displacement(one, forces) for one in reduced]
     return dataset.assign(
         {
-            **_differences(dataset["displacement"].values),
+            **_differences(dataset["displacement"].where(dataset["converged"]).values),
             **_reduced(dataset["displacement"].isel(model=0).values, moved, labels),
             **{name: fit[name] for name in FIT},
         }
@@ -75,11 +76,8 @@ def _one(spec: Spec, places: Mapping[str, Any], files: Mapping[str, Sequence[xr.
 
 
 def _differences(shapes: np.ndarray) -> dict[str, Any]:
-    """Equation 5-16 of every model against the first, and of a rigid body [m²]."""
+    """Equation 5-16 of every model against the first, and of a rigid body [m²]; NaN shapes give NaN."""
     reference, others = shapes[0], shapes[1:]
-    if not np.all(np.isfinite(reference)):
-        unknown = np.full(len(shapes), np.nan)
-        return {"shape_difference": ("model", unknown), "shape_difference_normalised": ("model", unknown)}
     plain = [shape_difference(shape, reference) for shape in others]
     normalised = [normalised_shape_difference(shape, reference) for shape in others]
     return {

@@ -11,6 +11,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+import xarray as xr
+
 from softlub.datasets import store
 from softlub.solid.materials.moduli import material_at_frequency
 from softlub.solid.reduced_stiffness import ReducedStiffness
@@ -31,24 +34,30 @@ def run(spec: Spec, inputs: Mapping[str, Sequence[Path]], outputs: Sequence[Path
     outputs : sequence of Path
         The dataset.
     """
-    files, fits = inputs.get("files", ()), inputs.get("equivalence", ())
-    body = solid_bodies.make_body(spec["body"], files, material(spec, fits))
+    fits = inputs.get("equivalence", ())
+    coefficient = float(store.read(fits[0])["coefficient"]) if fits else None
+    known = coefficient is None or np.isfinite(coefficient)
+    made = material(spec, coefficient if known else None)
+    body = solid_bodies.make_body(spec["body"], inputs.get("files", ()), made)
     clock = time.process_time()
-    reduced = ReducedStiffness.of(body)
+    dataset = ReducedStiffness.of(body).dataset()
     seconds = time.process_time() - clock
+    if not known:
+        # A search that found nothing is told as such, and stops no other body's study.
+        dataset = dataset.assign(stiffness=xr.full_like(dataset["stiffness"], np.nan))
     free = body.mesh.free_dofs
     facts = {
         "degrees_of_freedom": free.size,
         "stored_entries": body.tangent()[free][:, free].nnz,
         "solver_seconds": seconds,
     }
-    store.write(reduced.dataset().assign(facts), outputs[0], {"spec": dict(spec)})
+    store.write(dataset.assign(facts), outputs[0], {"spec": dict(spec)})
 
 
-def material(spec: Spec, fits: Sequence[Path]) -> Any:
-    """The material without memory that is condensed."""
+def material(spec: Spec, coefficient: float | None) -> Any:
+    """The material without memory that is condensed, scaled by an equivalence coefficient where there is one."""
     made = solid_bodies.make_material(spec["body"]["material"])
     if "frequency" in spec:
         return material_at_frequency(made, spec["frequency"])
     rest = solid_bodies.at_rest(made)
-    return rest.scaled(float(store.read(fits[0])["coefficient"])) if fits else rest
+    return rest if coefficient is None else rest.scaled(coefficient)

@@ -72,7 +72,11 @@ def _one(spec: Spec, index: int, state: xr.Dataset, stiffness: xr.Dataset | None
             "reduced": lambda: reduced,
             "constrained": lambda: constrained(reduced, spec["penalties"][index]),
         }
-        found |= {name: makers[name]().displacement(forces) for name in spec["compare"] if name in makers}
+        found |= {
+            name: solid_tables.reduced_displacement(makers[name](), forces)
+            for name in spec["compare"]
+            if name in makers
+        }
     dataset = dataset.assign(solid_tables.compared(found, "method"))
     if "half_space" not in spec["compare"]:
         return dataset

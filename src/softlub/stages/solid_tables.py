@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from softlub.solid.reduced_stiffness import ReducedStiffness
+
 PADDED = {"mesh_cell": -1, "mesh_edge": -1, "mesh_held": -1}
 """What stands in whole numbers where a mesh has fewer nodes or cells than another."""
 ALONG = ("node", "component")
@@ -59,7 +61,7 @@ def final(state: xr.Dataset, keep: Sequence[str]) -> xr.Dataset:
         iterations=state["iterations"].sum(),
         increments=state.sizes["increment"],
         rejected_increments=state["rejected_increments"],
-        residual=state["residual"].max(),
+        residual=reached["residual"].max(),
         solver_seconds=state["solver_seconds"],
         stop_reason=state["stop_reason"],
     )
@@ -122,6 +124,13 @@ def compared(
         f"{name}_error": xr.DataArray(length, coordinates, (dimension,)),
         f"{name}_error_component": xr.DataArray(component, coordinates, (dimension, "component")),
     }
+
+
+def reduced_displacement(reduced: ReducedStiffness, forces: np.ndarray) -> np.ndarray:
+    """Displacement under nodal forces [m], shape (k, 2); NaN where the forces or the stiffness are not known."""
+    if not (np.all(np.isfinite(forces)) and np.all(np.isfinite(reduced.stiffness))):
+        return np.full_like(forces, np.nan)
+    return reduced.displacement(forces)
 
 
 def stiffness_entries(stiffness: xr.Dataset) -> xr.Dataset:
