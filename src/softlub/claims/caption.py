@@ -196,9 +196,10 @@ def _stand_ins(dataset: xr.Dataset, study: str) -> str:
     if not entries:
         return ""
     pairs = entries.items() if isinstance(entries, dict) else [_stand_in(entry) for entry in entries]
-    listed = "; ".join(f"{name}: {reason}" if name else str(reason) for name, reason in pairs)
+    sentences = [(name, str(reason).rstrip(".")) for name, reason in pairs]
+    listed = "; ".join(f"{name}: {reason}" if name else reason for name, reason in sentences)
     heading = "Stand-ins for what the source does not print" if OF_THE_SOURCE.match(study) else "Stand-ins"
-    return f"{heading}: {escape(listed.rstrip('.'))}."
+    return f"{heading}: {escape(listed)}."
 
 
 def _stand_in(entry: Any) -> tuple[str, str]:

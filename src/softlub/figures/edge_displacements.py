@@ -70,7 +70,7 @@ def markers(index: int, colour: int, nodes: int) -> dict[str, Any]:
         "markersize": 3.6,
         "markerfacecolor": "white",
         "markeredgewidth": 0.8,
-        "markevery": ((index * every) // 2, every),
+        "markevery": (index * every // len(MARKERS), every),
         "zorder": 3,
     }
 

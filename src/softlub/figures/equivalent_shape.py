@@ -70,7 +70,7 @@ def draw(
         panels[1].axes.set_xlim(*panels[1].x.shown([left, right]))
         panels[1].axes.set_ylim(*panels[1].y.shown([_lowest(everyone, rest) - 0.06 * high, high]))
         _draw_distances(apart, reference, others, rest)
-        share_legend(figure, panels, columns=4)
+        share_legend(figure, panels, columns=4 if len(everyone) < 4 else 3)
         figure.notes += scene_sentences(dataset, everyone) + [
             _sentence(model) for model in others if _known(model)
         ]
@@ -118,7 +118,7 @@ def _draw_edges(panel: Panel, everyone: Sequence[Model], rest: FloatArray) -> No
                 markersize=3.2,
                 markerfacecolor="white",
                 markeredgewidth=0.8,
-                markevery=(every * index // 2, every),
+                markevery=((index - 1) * every // len(MARKERS), every),
                 zorder=3,
             )
         if not np.isfinite(edge).any():
