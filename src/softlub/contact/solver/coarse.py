@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlub.contact.solver.kernels import half_phases, love_spectrum, phases
-from softlub.contact.solver.transforms import RealTransform
+from softlub.contact.solver.transforms import QUICK, RealTransform
 
 BLOCK = 8
 """Points along a side of a block."""
@@ -55,7 +55,7 @@ class CoarseCorrection:
         self._weight_sums, self._gap_sums = self.sums
         copies = 1 if periodic else 2
         padded = (copies * self.shape[0], copies * self.shape[1])
-        self._transform = RealTransform(padded, dtype)
+        self._transform = RealTransform(padded, dtype, QUICK)
         self._norm = self._gap_sums.dtype.type(1 / (padded[0] * padded[1]))
         phase = np.hypot(phases(padded[0])[:, None], half_phases(padded[1])[None, :])
         self._phase = (phase / BLOCK).astype(dtype)

@@ -41,10 +41,12 @@ class PeriodicCompliance:
         Points (nx, ny) of one period.
     dtype : dtype-like
         float32 or float64.
+    effort : str, optional
+        As of `RealTransform`.
     """
 
-    def __init__(self, shape: tuple[int, int], dtype: Any) -> None:
-        self._convolution = Convolution(shape, dtype)
+    def __init__(self, shape: tuple[int, int], dtype: Any, effort: str | None = None) -> None:
+        self._convolution = Convolution(shape, dtype, effort)
         self.count = 0
         self.source, self.result = self._convolution.source, self._convolution.result
         number = self.source.dtype.type
@@ -102,11 +104,13 @@ class FreeCompliance:
         Points (nx, ny) that may carry pressure.
     dtype : dtype-like
         float32 or float64.
+    effort : str, optional
+        As of `RealTransform`.
     """
 
-    def __init__(self, shape: tuple[int, int], dtype: Any) -> None:
+    def __init__(self, shape: tuple[int, int], dtype: Any, effort: str | None = None) -> None:
         padded = (2 * shape[0], 2 * shape[1])
-        self._transform = RealTransform(padded, dtype)
+        self._transform = RealTransform(padded, dtype, effort)
         self.count = 0
         self.source: NDArray[Any] = np.zeros(shape, dtype)
         self.result: NDArray[Any] = np.zeros(shape, dtype)

@@ -43,6 +43,8 @@ class Convolution:
         Shape (nx, ny) of the real arrays.
     dtype : dtype-like
         float32 or float64.
+    effort : str, optional
+        As of `RealTransform`.
 
     Attributes
     ----------
@@ -52,7 +54,7 @@ class Convolution:
         Columns of the half spectrum, ny // 2 + 1, and of what fills up the last pass.
     """
 
-    def __init__(self, shape: tuple[int, int], dtype: Any) -> None:
+    def __init__(self, shape: tuple[int, int], dtype: Any, effort: str | None = None) -> None:
         nx, ny = shape
         kind = SPECTRUM_TYPES[np.dtype(dtype)]
         half = ny // 2 + 1
@@ -66,7 +68,7 @@ class Convolution:
         self._transformed: NDArray[Any] = pyfftw.zeros_aligned((COLUMNS, nx + SPARE), dtype=kind)
         self._numbers = self._transformed.view(dtype)
         self._rows = ROWS if nx % ROWS == 0 else nx
-        effort = planning_effort(shape, dtype)
+        effort = effort or planning_effort(shape, dtype)
         rows, waves = self.result[: self._rows], self._waves[: self._rows]
         here, there = self._gathered[:, :nx], self._transformed[:, :nx]
         self._rows_forward = pyfftw.FFTW(rows, waves, axes=(1,), flags=(effort,))

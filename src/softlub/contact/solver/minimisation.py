@@ -17,6 +17,7 @@ from softlub.contact.solver import free_set
 from softlub.contact.solver.compliance import FreeCompliance, PeriodicCompliance
 from softlub.contact.solver.gradients import FreeSetGradients, Progress
 from softlub.contact.solver.projection import project_onto_load
+from softlub.contact.solver.transforms import QUICK
 
 FloatArray = NDArray[np.float64]
 
@@ -45,6 +46,8 @@ class Minimisation:
         Heights over h_rms, of mean zero.
     periodic : bool
         Whether the surface repeats itself; else it is surrounded by an unloaded half-space.
+    effort : str, optional
+        On planning the transforms in single precision, see `transforms`.
 
     Attributes
     ----------
@@ -56,10 +59,10 @@ class Minimisation:
         Root mean square of gap less level over the free set.
     """
 
-    def __init__(self, heights: FloatArray, periodic: bool) -> None:
+    def __init__(self, heights: FloatArray, periodic: bool, effort: str | None = None) -> None:
         self.heights = heights
         self.periodic = periodic
-        self._single = self._compliance(np.float32)
+        self._single = self._compliance(np.float32, effort)
         self._minimisers: dict[str, FreeSetGradients] = {}
         self._coarse_convolutions = 0.0
         self._taken = False
@@ -68,9 +71,11 @@ class Minimisation:
         self.gap: FloatArray = np.empty(0)
         self.level = self.residual = self._deepest = np.nan
 
-    def _compliance(self, dtype: type[np.floating]) -> PeriodicCompliance | FreeCompliance:
+    def _compliance(
+        self, dtype: type[np.floating], effort: str | None = None
+    ) -> PeriodicCompliance | FreeCompliance:
         kind = PeriodicCompliance if self.periodic else FreeCompliance
-        return kind((self.heights.shape[0], self.heights.shape[1]), dtype)
+        return kind((self.heights.shape[0], self.heights.shape[1]), dtype, effort)
 
     @cached_property
     def _double(self) -> PeriodicCompliance | FreeCompliance:
@@ -130,7 +135,7 @@ class Minimisation:
         """Fill `pressure` with what the means of 2 by 2 points carry; dimensionless pressure goes with the spacing."""
         heights = self.heights
         means = 0.25 * (heights[::2, ::2] + heights[1::2, ::2] + heights[::2, 1::2] + heights[1::2, 1::2])
-        coarse = Minimisation(means, self.periodic)
+        coarse = Minimisation(means, self.periodic, QUICK)  # too few iterations for more
         found = coarse.estimate(coarse.first_pressure(load / 2), load / 2)
         self._coarse_convolutions += coarse.convolutions / 4
         for offset in ((0, 0), (0, 1), (1, 0), (1, 1)):

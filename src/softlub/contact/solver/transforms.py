@@ -14,16 +14,18 @@ from numpy.typing import NDArray
 
 SPECTRUM_TYPES = {np.dtype(np.float32): np.complex64, np.dtype(np.float64): np.complex128}
 MEASURED_POINTS = 128 * 128
-"""From this many points on the time spent on measuring plans is repaid, in single precision.
+"""From this many points on the time spent on measuring plans is repaid by some loads, in single precision.
 
 Double precision judges each load with a transform or two, which would not repay it.
 """
+QUICK, MEASURED = "FFTW_ESTIMATE", "FFTW_MEASURE"
+"""How plans are made; a measured plan takes some tenths of a second, and a third off large transforms."""
 
 
 def planning_effort(shape: tuple[int, int], dtype: Any) -> str:
     """FFTW's flag for the time to spend on plans of a shape and precision."""
     measured = np.dtype(dtype) == np.float32 and shape[0] * shape[1] >= MEASURED_POINTS
-    return "FFTW_MEASURE" if measured else "FFTW_ESTIMATE"
+    return MEASURED if measured else QUICK
 
 
 class RealTransform:
@@ -35,6 +37,8 @@ class RealTransform:
         Shape (nx, ny) of the real arrays.
     dtype : dtype-like
         float32 or float64.
+    effort : str, optional
+        `QUICK` or `MEASURED`; by default as `planning_effort` says.
 
     Attributes
     ----------
@@ -44,12 +48,12 @@ class RealTransform:
         Output of `forward` and input of `inverse`, which destroys it.
     """
 
-    def __init__(self, shape: tuple[int, int], dtype: Any) -> None:
+    def __init__(self, shape: tuple[int, int], dtype: Any, effort: str | None = None) -> None:
         half = (shape[0], shape[1] // 2 + 1)
         self.source: NDArray[Any] = pyfftw.zeros_aligned(shape, dtype=dtype)
         self.result: NDArray[Any] = pyfftw.zeros_aligned(shape, dtype=dtype)
         self.spectrum: NDArray[Any] = pyfftw.zeros_aligned(half, dtype=SPECTRUM_TYPES[np.dtype(dtype)])
-        effort = planning_effort(shape, dtype)
+        effort = effort or planning_effort(shape, dtype)
         self._forward = pyfftw.FFTW(self.source, self.spectrum, axes=(0, 1), flags=(effort,))
         self._inverse = pyfftw.FFTW(
             self.spectrum, self.result, axes=(0, 1), direction="FFTW_BACKWARD", flags=(effort,)
