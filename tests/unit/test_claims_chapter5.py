@@ -221,7 +221,7 @@ def test_a_frequency_must_stiffen_the_matrix():
 
 def test_equivalents_are_judged_by_the_slowest_steps():
     assert verdict("claim_5_20").verdict == "differs"
-    assert "fitted alpha 1 (1 s), 2.1 (1 us)" in verdict("claim_5_20").value
+    assert "fitted alpha 1 (1 s), 2.1 (1 µs)" in verdict("claim_5_20").value
     close = equivalence(source=(1e-4, 0.5))
     assert verdict("claim_5_20", ch5_equivalence=close).verdict == "reproduced"
     assert verdict("claim_5_22").verdict == "reproduced"

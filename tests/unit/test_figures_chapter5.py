@@ -212,7 +212,7 @@ def test_equivalents_are_named_by_their_coefficient():
         "hyperelastic, α = 1",
         "hyperelastic, α = 1.5",
     ]
-    assert "Fitted α: 1.001 (steps of 1 s), 2.1 (steps of 1 us)." in figure.notes
+    assert "Fitted α: 1.001 (steps of 1 s), 2.1 (steps of 1 µs)." in figure.notes
 
 
 def test_distances_are_those_of_nodes():

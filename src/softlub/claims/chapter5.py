@@ -86,8 +86,8 @@ def linear_static(datasets: Datasets) -> Verdict:
     return judge(
         equal(found),
         f"{found}",
-        f"of the largest displacement; {SAME}. Without friction the lateral displacement is small, so that the largest "
-        "vector hides what it is off by",
+        f"largest difference over the largest displacement; {SAME}. Without friction the lateral displacement is "
+        "small, so that the largest vector hides what it is off by",
     )
 
 
@@ -108,14 +108,14 @@ def friction_does_not_matter(datasets: Datasets) -> Verdict:
 def linear_sliding(datasets: Datasets) -> Verdict:
     """Largest difference at a friction of 0.4."""
     found = differences(scene(datasets("ch5-linear"), {"friction": 0.4}))
-    return judge(equal(found), f"{found}", f"of the largest displacement; {SAME}")
+    return judge(equal(found), f"{found}", f"largest difference over the largest displacement; {SAME}")
 
 
 @check("claim_5_06")
 def hyperelastic_sliding(datasets: Datasets) -> Verdict:
     """Largest difference of L_H."""
     found = differences(scene(datasets("ch5-hyperelastic")))
-    return judge(equal(found), f"{found}", f"of the largest displacement; {SAME}")
+    return judge(equal(found), f"{found}", f"largest difference over the largest displacement; {SAME}")
 
 
 @check("claim_5_07")
@@ -147,8 +147,8 @@ def better_than_half_space(datasets: Datasets) -> Verdict:
     return judge(
         reduced < best,
         f"{percent(reduced)} by the reduced stiffness, {percent(best)} by the half-space",
-        "of the largest displacement under the same nodal forces; of the half-space, whose displacements are known up "
-        "to a constant each, with the constants that fit best",
+        "largest difference over the largest displacement, under the same nodal forces; of the half-space, whose "
+        "displacements are known up to a constant each, with the constants that fit best",
     )
 
 

@@ -78,7 +78,7 @@ def _by_steps(dataset: xr.Dataset, model: str, variable: str) -> list[tuple[str,
 
 
 def _listed(pairs: list[tuple[str, float]], digits: int = 3) -> str:
-    return ", ".join(f"{value:.{digits}g} ({label})" for label, value in pairs)
+    return ", ".join(f"{value:.{digits}g} ({label})" for label, value in pairs).replace(" us)", " µs)")
 
 
 GIVEN = f"alpha={SOURCE_ALPHA:g}"

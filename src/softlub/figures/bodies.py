@@ -182,10 +182,11 @@ def with_mesh(
     if "mesh_point" not in dataset:
         raise ValueError("the dataset keeps no mesh; add outputs: [mesh] to the study")
     body = one_body(dataset, friction, load)
-    scene = {"load": "W", "friction": "μ"}
+    scene = {"load": ("W", " N/m"), "friction": ("μ", "")}
     known = [
-        f"{symbol} = {quantity(name, unit=dataset[name].attrs.get('units')).text(float(body.data[name]))}"
-        for name, symbol in scene.items()
+        # Through a float, since 120000 reads better than 1.2e+05.
+        f"{symbol} = {float(f'{float(body.data[name]):.4g}'):g}{unit}"
+        for name, (symbol, unit) in scene.items()
         if name in body.data.coords
     ]
     under = [f"Drawn at {', '.join(known)}."] if known else []

@@ -22,6 +22,8 @@ LINES: tuple[Any, ...] = ("-", "--", ":", "-.")
 MARKERS = ("o", "s", "^", "D")
 MOST_MARKERS = 22
 """Markers along one curve."""
+STAGGER = (0.0, 0.5, 0.25, 0.75)
+"""Where the markers of each curve lie between those of the first, so that none hides another."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +64,6 @@ def line(index: int) -> dict[str, Any]:
 
 def markers(index: int, colour: int, nodes: int) -> dict[str, Any]:
     """Look of what stands for finite elements: sparse markers, those of one curve between those of the others."""
-    every = max(1, nodes // MOST_MARKERS)
     return {
         "color": COLOURS[colour],
         "linestyle": "none",
@@ -70,9 +71,15 @@ def markers(index: int, colour: int, nodes: int) -> dict[str, Any]:
         "markersize": 3.6,
         "markerfacecolor": "white",
         "markeredgewidth": 0.8,
-        "markevery": (index * every // len(MARKERS), every),
+        "markevery": marked(index, nodes),
         "zorder": 3,
     }
+
+
+def marked(index: int, nodes: int) -> tuple[int, int]:
+    """First marked node of a curve, and from one to the next."""
+    every = max(1, nodes // MOST_MARKERS)
+    return int(STAGGER[index] * every), every
 
 
 def draw_edges(curves: Sequence[EdgeCurve], height: float) -> DataFigure:

@@ -12,7 +12,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from softlub.figures import style
-from softlub.figures.edge_displacements import LINES, MARKERS, MOST_MARKERS
+from softlub.figures.edge_displacements import LINES, MARKERS, marked
 from softlub.figures.models import Model, models, scene_sentences
 from softlub.figures.panel import DataFigure, Panel, new_figure, share_legend, styled
 from softlub.figures.quantities import FloatArray, quantity
@@ -108,7 +108,6 @@ def _draw_edges(panel: Panel, everyone: Sequence[Model], rest: FloatArray) -> No
             panel.line(model.label, *edge, color=style.BLUE, zorder=2)
         else:
             shown = int(((edge[0] > low) & (edge[0] < high)).sum())
-            every = max(1, shown // MOST_MARKERS)
             panel.line(
                 model.label,
                 *edge,
@@ -118,7 +117,7 @@ def _draw_edges(panel: Panel, everyone: Sequence[Model], rest: FloatArray) -> No
                 markersize=3.2,
                 markerfacecolor="white",
                 markeredgewidth=0.8,
-                markevery=((index - 1) * every // len(MARKERS), every),
+                markevery=marked((index - 1) % len(MARKERS), shown),
                 zorder=3,
             )
         if not np.isfinite(edge).any():

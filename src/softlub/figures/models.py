@@ -97,6 +97,7 @@ def scene_sentences(dataset: xr.Dataset, everyone: list[Model]) -> list[str]:
 
 def _condition(data: xr.Dataset | xr.DataArray, name: str) -> str:
     value = data[name].values.item()
+    value = value.replace(" us", " µs") if isinstance(value, str) else value
     unit = {"load": " N/m"}.get(name, "")
     symbol = {"load": "W = ", "friction": "μ = ", "steps": "steps of ", "material": "material "}.get(
         name, f"{name} "

@@ -15,6 +15,10 @@ from softlub.figures.quantities import Quantity, quantity
 COLOURS = (style.BLUE, style.VERMILION, style.GREEN, style.PURPLE)
 MOST_CURVES = len(COLOURS)
 FREQUENCY = quantity("frequency", label="angular frequency ω", unit="rad/s")
+LEAST_LOSS = 1e-3
+"""Loss modulus over the least storage modulus down to which it is shown."""
+PLATEAU = 100.0
+"""Factor of the frequency that is shown beyond the transition, on either side."""
 FLAT = 0.05
 """Stiffening up to which the storage modulus counts as flat."""
 
@@ -64,12 +68,24 @@ def draw(dataset: xr.Dataset, material: str = "", height: float = 2.7) -> DataFi
             _draw_one(panels, one, _colours(index, len(everyone)))
         low = min(float(one.data["storage_modulus"].min()) for one in everyone)
         high = max(float(one.data["storage_modulus"].max()) for one in everyone)
-        # The loss falls for ever towards low frequencies.
-        panels[0].axes.set_ylim(*modulus.shown([1e-3 * low, 3 * high]))
+        # The loss falls for ever on both sides of the transition.
+        panels[0].axes.set_ylim(*modulus.shown([LEAST_LOSS * low, 3 * high]))
+        for panel in panels:
+            panel.axes.set_xlim(*_transition(everyone, LEAST_LOSS * low))
         panels[1].axes.set_ylim(bottom=0)
         share_legend(figure, panels, columns=3)
         figure.notes += [_sentence(one) for one in everyone]
         return figure
+
+
+def _transition(everyone: list[Moduli], least: float) -> tuple[float, float]:
+    """Frequencies to show: where any loss modulus is above the least one, and part of both plateaus [rad/s]."""
+    frequency = everyone[0].data["frequency"].values
+    lossy = np.any([one.data["loss_modulus"].values > least for one in everyone], axis=0)
+    if not lossy.any():
+        return float(frequency[0]), float(frequency[-1])
+    between = frequency[lossy]
+    return max(frequency[0], between[0] / PLATEAU), min(frequency[-1], between[-1] * PLATEAU)
 
 
 def _everyone(dataset: xr.Dataset, material: str) -> list[Moduli]:
