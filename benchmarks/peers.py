@@ -12,14 +12,22 @@ import xarray as xr
 
 from softlub.figures.panel import DataFigure
 
-SHARED = ("timed", "largest_area_error", "largest_gap_error")
+MEANINGS = {
+    "tolerance": "tolerance, each solver's own",
+    "cpu_time": "CPU time of a load",
+    "convolutions": "pairs of transforms of the whole grid, those of coarser grids by their share of points",
+    "area_error": "absolute error of A/A0",
+    "gap_error": "root mean square error of the gap over h_rms",
+    "first_call_seconds": "CPU time of the process's first solve: compiled code and plans included",
+    "load_average_after": "load average of the machine after a grid was measured",
+}
 
 
 def measure(parts: Sequence[xr.Dataset]) -> xr.Dataset:
     """All grids over `points`, and the sweep."""
     sizes = sorted((part for part in parts if "points" in part.attrs), key=lambda part: part.attrs["points"])
     (sweep,) = [part for part in parts if "sweep_points" in part.attrs]
-    points = [part.attrs["points"] for part in sizes]
+    points = [int(part.attrs["points"]) for part in sizes]
     grids = xr.concat(
         [part.drop_attrs() for part in sizes],
         xr.DataArray(points, dims="points", name="points"),
@@ -29,11 +37,15 @@ def measure(parts: Sequence[xr.Dataset]) -> xr.Dataset:
     joined = grids.sel(solver=names).merge(sweep.drop_attrs(), join="left")
     for name in ("first_call_seconds", "load_average_after"):
         joined[name] = ("points", np.array([float(part.attrs[name]) for part in sizes]))
+    for name, variable in joined.data_vars.items():
+        meaning = MEANINGS[str(name).removeprefix("sweep_")]
+        variable.attrs = {"units": "s" if meaning.startswith("CPU time") else "1", "long_name": meaning}
     return joined.assign_attrs(
-        {name: sizes[0].attrs[name] for name in SHARED}
+        {name: float(sizes[0].attrs[name]) for name in ("largest_area_error", "largest_gap_error")}
         | {
+            "timed": sizes[0].attrs["timed"],
             "title": "Rough contact: CPU time against measured errors, beside other projects' solvers",
-            "sweep_points": sweep.attrs["sweep_points"],
+            "sweep_points": int(sweep.attrs["sweep_points"]),
             "sweep_load_average_after": sweep.attrs["load_average_after"],
         }
     )

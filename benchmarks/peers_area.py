@@ -11,7 +11,8 @@ from softlub.figures.panel import DataFigure
 def measure(parts: Sequence[xr.Dataset]) -> xr.Dataset:
     """Times and errors of the joined dataset, without the sweep."""
     (joined,) = parts
-    return joined[["tolerance", "cpu_time", "area_error", "gap_error"]]
+    found = joined[["tolerance", "cpu_time", "area_error", "gap_error"]].drop_attrs()
+    return found.assign_attrs(title="Rough contact: CPU time against errors of the area")
 
 
 def draw(dataset: xr.Dataset) -> DataFigure:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from softlub.datasets import store
 from softlub.figures.save import table
 
 BENCHMARKS = Path(__file__).resolve().parents[2] / "benchmarks"
@@ -32,10 +33,18 @@ def topography():
 
 
 @pytest.fixture(scope="module")
-def joined():
+def joined(tmp_path_factory):
     solvers = contact_solvers.our_solvers()
     sizes = [peers_size.compare(solvers, points) for points in (POINTS, 2 * POINTS)]
-    return peers.measure([*sizes, peers_sweep.compare(solvers, POINTS, (0.5, 0.1, 0.02))])
+    parts = [*sizes, peers_sweep.compare(solvers, POINTS, (0.5, 0.1, 0.02))]
+    folder = tmp_path_factory.mktemp("parts")
+    return stored(folder, peers.measure([stored(folder, part) for part in parts]))
+
+
+def stored(folder, dataset):
+    """What a job that follows finds of a dataset."""
+    store.write(dataset, folder / "part.nc")
+    return store.read(folder / "part.nc")
 
 
 def test_the_surface_has_the_slope_that_normalises_the_loads(topography):
@@ -114,8 +123,8 @@ def test_a_solver_that_always_misses_has_no_time(joined):
     assert (ratios["sweep_gap_error"] > 1).all()
 
 
-def test_ratios_are_over_our_time(joined):
-    ratios = peers_ratios.measure([joined])
+def test_ratios_are_over_our_time(joined, tmp_path):
+    ratios = stored(tmp_path, peers_ratios.measure([joined]))
     assert (ratios["cpu_time_ratio"].sel(solver=contact_solvers.OURS) == 1).all()
     assert float(ratios["sweep_cpu_time_ratio"].sel(solver=contact_solvers.OURS)) == 1
     assert ratios["sweep_within_limits"].all()
@@ -196,7 +205,7 @@ def test_every_solver_can_be_run_and_drawn():
         assert solver.ladder_to <= max(peers_size.ALL_LOADS_TO, solver.loads_to)
 
 
-def test_figures_show_every_run_and_say_what_was_not_run(joined, monkeypatch):
+def test_figures_show_every_run_and_say_what_was_not_run(joined, monkeypatch, tmp_path):
     monkeypatch.setattr(peers_drawing, "DRAWN_LOADS", (1.0, 0.05))
     left_out = joined.copy()
     left_out["cpu_time"] = joined["cpu_time"].where(
@@ -207,7 +216,7 @@ def test_figures_show_every_run_and_say_what_was_not_run(joined, monkeypatch):
     drawn = sum(series.x.size for series in figure.series)
     assert drawn == int(left_out["cpu_time"].sel(load=[1.0, 0.05]).notnull().sum())
     assert all("(" in axes.get_xlabel() for axes in figure.axes[-2:])
-    rows = table(peers_area.draw(peers_area.measure([joined]))).splitlines()
+    rows = table(peers_area.draw(stored(tmp_path, peers_area.measure([joined])))).splitlines()
     assert rows[0] == "panel,series,cpu_time [s],area_error [1]"
     names = {series.series for series in peers_ratios.draw(peers_ratios.measure([joined])).series}
     assert names == set(contact_solvers.our_solvers())
