@@ -20,6 +20,7 @@ from synthetic_solid import (
 
 from softlub.figures import draw
 from softlub.figures.bodies import bodies, trimmed
+from softlub.figures.panel import styled
 from softlub.figures.save import table as written
 
 
@@ -246,3 +247,33 @@ def test_a_model_that_stopped_early_is_marked_and_explained():
 def test_steps_that_are_not_there_are_refused():
     with pytest.raises(ValueError, match=r"no steps 2 s, only 1 s, 1 us"):
         draw("equivalent_shape", equivalence(), steps="2 s")
+
+
+@pytest.mark.parametrize("name", ["equivalent_shape", "equivalent_against_full"])
+@pytest.mark.parametrize("stopped", [["fitted"], ["viscoelastic", "fitted"]])
+def test_a_search_that_found_nothing_leaves_a_gap(name, stopped):
+    dataset = equivalence()
+    for model in stopped:
+        at = {"model": model, "steps": "1 s"}
+        dataset["converged"].loc[at] = False
+        for gone in ("coefficient", "shape_difference", "displacement_reduced", "displacement_reduced_error"):
+            dataset[gone].loc[at] = np.nan
+    figure = draw(name, dataset)
+    assert len(marks(figure)) >= 2
+    assert any("no α found" in label for label in labels(figure))
+    assert "Fitted α: none found (steps of 1 s), 2.1 (steps of 1 µs)." in figure.notes
+    assert written(figure)
+    with styled():
+        figure.draw_without_rendering()
+
+
+@pytest.mark.parametrize("name", ["half_cylinder", "deformed_mesh"])
+def test_a_body_that_did_not_reach_its_load_says_so(name):
+    dataset = half_cylinder()
+    dataset["converged"].loc[{"load": 6000.0}] = False
+    figure = draw(name, dataset)
+    assert any(
+        "stopped before the end, the last state that it reached is drawn" in note for note in figure.notes
+    )
+    with styled():
+        figure.draw_without_rendering()

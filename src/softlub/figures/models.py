@@ -68,6 +68,8 @@ def models(dataset: xr.Dataset, wanted: Mapping[str, float | str | None]) -> lis
 def _label(name: str, one: xr.Dataset) -> str:
     if name == VISCOELASTIC:
         return name
+    if not np.isfinite(one["coefficient"]):
+        return "hyperelastic, no α found"
     fitted = " (fitted)" if name == "fitted" else ""
     return f"hyperelastic, α = {float(one['coefficient']):.4g}{fitted}"
 
@@ -91,7 +93,7 @@ def scene_sentences(dataset: xr.Dataset, everyone: list[Model]) -> list[str]:
     for place in np.ndindex(fitted.shape):
         one = fitted[place]
         words = ", ".join(_condition(one, name) for name in over if name in one.coords)
-        each.append(f"{float(one):.4g} ({words})")
+        each.append(f"{float(one):.4g} ({words})" if np.isfinite(one) else f"none found ({words})")
     return [*found, f"Fitted α: {', '.join(each)}."]
 
 
