@@ -461,7 +461,9 @@ def test_options_of_drawings_are_those_of_their_functions():
 
 def test_the_examples_of_the_configurations_readme(tmp_path):
     text = (ROOT / "config" / "README.md").read_text(encoding="utf-8")
-    first, second, contact = (part.split("```", 1)[0] for part in text.split("```yaml\n")[1:])
+    first, second, contact, solid, material = (
+        part.split("```", 1)[0] for part in text.split("```yaml\n")[1:]
+    )
     mine = tmp_path / "mine.yaml"
     mine.write_text(first, encoding="utf-8")
     assert load(mine, config_dir=ROOT / "config").figures[0].draw == "stribeck"
@@ -474,6 +476,13 @@ def test_the_examples_of_the_configurations_readme(tmp_path):
     ]
     mine.write_text(contact, encoding="utf-8")
     assert load(mine, config_dir=ROOT / "config").kind == "rough_contact"
+    mine.write_text(solid, encoding="utf-8")
+    assert load(mine, config_dir=ROOT / "config").scene["body"]["mesh"]["edge_nodes"] == 513
+    relaxing = yaml.safe_load(solid)
+    relaxing["scene"]["body"]["material"] = yaml.safe_load(material)
+    mine.write_text(yaml.safe_dump(relaxing), encoding="utf-8")
+    series = load(mine, config_dir=ROOT / "config").scene["body"]["material"]["prony"]
+    assert series["times"] == (1e-6, 1e-3)
 
 
 SWEPT_ROUGHNESS = """\

@@ -127,6 +127,8 @@ VARIABLES: dict[str, Variable] = {
     "displacement": Variable("m", "displacement with the holder at rest"),
     "component": Variable("1", "x along the sliding direction, y away from the plate"),
     # finite-element bodies
+    "friction": Variable("1", "friction coefficient of the plate, which slides under the body"),
+    "edge_nodes": Variable("1", "nodes of the contact edge"),
     "increment": Variable("1", "number of the increment"),
     "step_number": Variable("1", "number of the step: in contact, loading, sliding"),
     "step_number_history": Variable("1", "number of the step: in contact, loading, sliding"),
