@@ -469,6 +469,12 @@ def test_temperatures_in_other_scales_or_below_the_pole_are_refused(message, rea
     assert "190" in message(MATERIAL, {**warm, "grid/temperature": ["190 K"]})
 
 
+def test_a_constraint_is_kept_of_a_hard_contact_alone(message):
+    surface = {"kind": "self_affine", "rms_roughness": 1e-6, "hurst": 0.8, "rolloff": 6e4, "cutoff": 1e6}
+    text = message(SOLID, {"scene/surface": surface, "compare": ["constrained"]})
+    assert "contact_law is persson" in text
+
+
 def test_a_sample_over_a_meshed_body_is_refused(message):
     ranges = {"scene.body.shape.tip_radius": {"from": 1e-4, "to": 2e-4}}
     grid = {"load": 17, "speed": [1e-3], "sample": {"points": 8, "ranges": ranges}}

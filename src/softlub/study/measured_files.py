@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
+
+PLACES = {"surface": "surfaces", "line": "surfaces", "body.shape": "shapes"}
 
 
 class MeasuredFile(NamedTuple):
@@ -15,6 +17,16 @@ class MeasuredFile(NamedTuple):
 
     path: Path
     digest: str
+
+
+def blocks_with_files(scene: Mapping[str, Any]) -> Iterator[tuple[str, str, Mapping[str, Any]]]:
+    """Blocks of a canonical scene that name an instrument's file: place, folder of config/ where it may lie, block."""
+    for place, folder in PLACES.items():
+        block: Any = scene
+        for key in place.split("."):
+            block = (block or {}).get(key)
+        if block and "file" in block:
+            yield place, folder, block
 
 
 def find(written: str, folders: Sequence[Path]) -> MeasuredFile:

@@ -14,13 +14,8 @@ from softlub.study.drawings import DRAWINGS
 from softlub.study.nodes import Node, Plan, make_node
 from softlub.study.outputs import SCALARS, left_out
 from softlub.study.parsed import Study, Sweep
-from softlub.study.solid_planning import (
-    equivalence_nodes,
-    film_stiffnesses,
-    material_nodes,
-    settled_mesh,
-    solid_nodes,
-)
+from softlub.study.solid_nodes import settled_mesh
+from softlub.study.solid_planning import equivalence_nodes, film_stiffnesses, material_nodes, solid_nodes
 from softlub.study.solvers import settings
 from softlub.study.specimens import without_specimen
 from softlub.study.stamp import REVISIONS, plain, stamp

@@ -23,7 +23,7 @@ from softlub.study.fields import refusal
 from softlub.study.figure_checks import unmet_needs_of_file
 from softlub.study.files import read_block
 from softlub.study.grid import SWEPT, check_swept_key
-from softlub.study.measured_files import MeasuredFile, find, try_out
+from softlub.study.measured_files import MeasuredFile, blocks_with_files, find, try_out
 from softlub.study.messages import Problem, StudyError, did_you_mean, shown
 from softlub.study.models import FILES, KINDS, SCENES, CommonFile
 from softlub.study.parsed import Study, Sweep
@@ -32,9 +32,6 @@ from softlub.study.solvers import as_block
 from softlub.study.sweeps import SceneReader, check_path, check_together, read_sampled, read_sweep
 
 STUDY_NAME = re.compile(r"[A-Za-z0-9_-]+")
-
-MEASURED = {"surface": "surfaces", "line": "surfaces", "body.shape": "shapes"}
-"""Places of a scene that may name an instrument's file -> folder of config/ where it may lie."""
 
 Raw = dict[str, Any]
 
@@ -149,10 +146,7 @@ class _Reading:
         """The study with the instruments' files that it names, each found, hashed and tried out."""
         files: dict[str, MeasuredFile] = {}
         for scene in scenes_of(study):
-            for place, folder in MEASURED.items():
-                block = _block_at(scene, place)
-                if "file" not in block:
-                    continue
+            for place, folder, block in blocks_with_files(scene):
                 written = block["file"]
                 try:
                     files[written] = find(written, [self.path.parent, self.names.folder / folder])
@@ -273,13 +267,6 @@ class _Reading:
 
     def _refuse(self, key: str, text: str, value: Any) -> None:
         self.problems.append(Problem(key, text, "" if value is None else shown(value)))
-
-
-def _block_at(scene: Any, place: str) -> Raw:
-    """The block at a place of a canonical scene, empty where there is none."""
-    for key in place.split("."):
-        scene = (scene or {}).get(key)
-    return scene or {}
 
 
 def _without(values: Raw, key: str) -> Raw:

@@ -13,7 +13,7 @@ from softlub.study.combinations import scenes_of
 from softlub.study.contact_checks import tabulated_problems
 from softlub.study.messages import Problem
 from softlub.study.parsed import Study
-from softlub.study.solid_planning import settled_mesh
+from softlub.study.solid_nodes import settled_mesh
 
 
 def body_problems(study: Study) -> Iterator[Problem]:
@@ -32,6 +32,18 @@ def solid_problems(study: Study) -> Iterator[Problem]:
     yield from body_problems(study)
     yield from tabulated_problems(study)
     yield from _temperature_problems(study)
+    if "constrained" in study.solid.get("compare", ()):
+        yield from _constraint_problems(study)
+
+
+def _constraint_problems(study: Study) -> Iterator[Problem]:
+    laws = {scene["contact_law"]["name"] for scene in scenes_of(study)} - {"hard"}
+    if laws:
+        yield Problem(
+            "compare",
+            f"constrained keeps the penalty of a hard contact, and contact_law is {', '.join(sorted(laws))}; leave it "
+            "out, or take a smooth surface",
+        )
 
 
 def _mesh_problems(shape: Mapping[str, Any], mesh: Mapping[str, Any]) -> Iterator[Problem]:
