@@ -89,19 +89,41 @@ class CoarseCorrection:
             Sum of the gap times what is added.
         """
         mean = self.mean_gap()
-        weight = np.maximum(self._weight_sums, 0)
-        total = float(weight.sum(dtype=float))
-        root = np.sqrt(weight)
-        inverse = np.divide(1, root, out=np.zeros_like(root), where=root > 0)
-        alone = inverse * (self._gap_sums - weight.dtype.type(mean) * self._weight_sums)
-        added = inverse * (self._coupled(root, alone, total / self._points) - alone)
-        added -= weight.dtype.type(float((weight * added).sum(dtype=float)) / total + mean)
+        weight = self._weight_sums
+        root, inverse = self._roots()
+        alone = inverse * (self._gap_sums - weight.dtype.type(mean) * weight)
+        added = inverse * (self._coupled(root, alone) - alone)
+        load = float((weight * added).sum(dtype=float))
+        added -= weight.dtype.type(load / float(weight.sum(dtype=float)) + mean)
         product = float((self._gap_sums * added).sum(dtype=float))
         return added, mean, product
 
-    def _coupled(self, root: NDArray[Any], alone: NDArray[Any], mean_weight: float) -> NDArray[Any]:
+    def lift(self, added: NDArray[Any]) -> tuple[NDArray[Any], float]:
+        """The answer to a load that a projection has added to every block.
+
+        The longest waves of it would displace the surface by far the most, the more so the larger the grid.
+
+        Returns
+        -------
+        lift : ndarray, shape of the blocks
+            The c of a pressure φ c that undoes what the added load displaces.
+        load : float
+            Sum of φ c.
+        """
+        root, inverse = self._roots()
+        displaced = root * self._filtered(added, self._compliance)
+        lift = -inverse * self._coupled(root, displaced)
+        return lift, float((lift * self._weight_sums).sum(dtype=float))
+
+    def _roots(self) -> tuple[NDArray[Any], NDArray[Any]]:
+        """√s of every block and its inverse, 0 where nothing is free."""
+        root = np.sqrt(np.maximum(self._weight_sums, 0))
+        return root, np.divide(1, root, out=np.zeros_like(root), where=root > 0)
+
+    def _coupled(self, root: NDArray[Any], alone: NDArray[Any]) -> NDArray[Any]:
         """Solve (1 + √s K √s) v = y / √s to within a few steps of conjugate gradients."""
         number = alone.dtype.type
+        mean_weight = float(self._weight_sums.sum(dtype=float)) / self._points
         together = self._phase / (self._phase + number(mean_weight))  # 1 / (1 + λ) with λ = k / Q
         solved, direction, rest = np.zeros_like(alone), np.zeros_like(alone), alone.copy()
         last = 1.0

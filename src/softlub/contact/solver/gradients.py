@@ -6,7 +6,8 @@ Every iteration
 1. measures the gap on the free set F = {p > 0 or g < 0}; its root mean square is the residual;
 2. preconditions it: stencil (`stencil`) plus coarse correction (`coarse`);
 3. turns it into a Polak–Ribière⁺ direction;
-4. projects the trial point onto p >= 0 and restores its load along φ, the pressure that moves all contacts alike;
+4. projects the trial point onto p >= 0 and restores its load along φ, the pressure that moves all contacts alike,
+   block by block so that no long wave of pressure is added;
 5. convolves the step to the projected trial, and takes the exact factor along it.
 """
 
@@ -25,7 +26,12 @@ from softlub.contact.solver.projection import project_onto_load
 from softlub.contact.solver.stencil import stencil_taps
 
 CLIPPED_SHARE = 0.01
-"""Share of the load that a projection must clip for its full step to be preferred to the exact factor."""
+"""Share of the load that a projection must clip for its full step to be preferred to the exact factor.
+
+Nor is the next direction conjugate to such a step.
+"""
+LIFTED_SHARE = 1e-4
+"""Share of the load that a projection must clip for what it adds to be undone block by block, not all over."""
 LEAST_FULL_FACTOR = 0.7
 """Exact factor above which it may be; a full step lowers the energy wherever the factor exceeds one half."""
 LEAST_FACTOR = 0.1
@@ -85,6 +91,7 @@ class FreeSetGradients:
         self._weight: NDArray[Any] = np.zeros(shape, dtype)
         self._preconditioned: NDArray[Any] = np.zeros(shape, dtype)
         self._coarse = CoarseCorrection((shape[0], shape[1]), periodic, dtype)
+        self._added: NDArray[Any] = np.zeros_like(self._coarse.sums[0])
         self._number = dtype.type
         self._wrap = self._number(1 if periodic else 0)
         self._taps = stencil_taps().astype(dtype)
@@ -187,11 +194,15 @@ class FreeSetGradients:
             move,
             number(momentum),
             number(self._step),
+            self._added,
         )
-        lift = (self.load - total) / weight
+        lifts, load = np.zeros_like(self._added), 0.0
+        if clipped > LIFTED_SHARE * self.load:
+            lifts, load = self._coarse.lift(self._added)
+        lifts += number((self.load - total - load) / weight)
         level = number(self.level + shift)
         slope, total = steps.project(
-            self.pressure, self.gap, self._weight, move, number(self._step), number(lift), level
+            self.pressure, self.gap, self._weight, move, number(self._step), lifts, BLOCK, level
         )
         if abs(total - self.load) > LOAD_SLACK * self.load:
             slope = steps.rescale(self.pressure, self.gap, move, number(self.load / total), level)
@@ -217,7 +228,7 @@ class FreeSetGradients:
             taken = 1.0 if clipped > 0 else min(exact, steps.room(self.pressure, self._compliance.source))
         else:
             taken = max(exact, 0.0)
-        self._momentum_scale = 1 / self._step
+        self._momentum_scale = 0.0 if clipped > CLIPPED_SHARE else 1 / self._step
         self._release = max(self._release / RELEASE_GROWTH, RELEASE)
         if exact < LEAST_FACTOR:
             self._momentum_scale = 0.0

@@ -6,12 +6,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from softlub.contact.solver.blocks import spread
+from softlub.contact.solver.blocks import collect, spread
 from softlub.contact.solver.compiled import compiled
 
 
 @compiled
-def search(pressure, weight, coarse, block, preconditioned, direction, momentum, step):
+def search(pressure, weight, coarse, block, preconditioned, direction, momentum, step, added):
     """Complete z, set direction to -z + momentum · direction, and sum up the trial max(0, p + step · direction).
 
     A point that is not free but still carries pressure gives it up: its trial is 0.
@@ -28,6 +28,8 @@ def search(pressure, weight, coarse, block, preconditioned, direction, momentum,
     direction : ndarray, shape (nx, ny)
         The step to the last trial.
     momentum, step : float
+    added : ndarray, shape of `coarse`
+        Filled with what the clipping adds to the load of each block.
 
     Returns
     -------
@@ -38,6 +40,7 @@ def search(pressure, weight, coarse, block, preconditioned, direction, momentum,
     number = pressure.dtype.type
     zero, one = number(0), number(1)
     correction = np.empty(ny, pressure.dtype)
+    columns = np.zeros(ny, pressure.dtype)
     total = 0.0
     total_weight = 0.0
     clipped = 0.0
@@ -56,18 +59,23 @@ def search(pressure, weight, coarse, block, preconditioned, direction, momentum,
             direction[i, j] = towards
             trial = pressure[i, j] + step * towards
             positive = free if trial > zero else zero
-            row_total += positive * trial
+            kept = positive * trial
+            row_total += kept
             row_clipped -= (one - positive) * trial
             row_weight += positive * share
+            columns[j] += kept - free * trial - (one - free) * pressure[i, j]
         total += row_total
         total_weight += row_weight
         clipped += row_clipped
+        if (i + 1) % block == 0 or i + 1 == nx:
+            collect(columns, block, added[i // block])
+            columns[:] = 0
     return total, total_weight, clipped
 
 
 @compiled
-def project(pressure, gap, weight, direction, step, lift, level):
-    """Turn the direction into the step from p to the projected trial, its load restored by lift · φ.
+def project(pressure, gap, weight, direction, step, lifts, block, level):
+    """Turn the direction into the step from p to the projected trial, its load restored by the blocks' lift · φ.
 
     Returns
     -------
@@ -77,14 +85,17 @@ def project(pressure, gap, weight, direction, step, lift, level):
     nx, ny = pressure.shape
     number = pressure.dtype.type
     zero = number(0)
+    lift = np.empty(ny, pressure.dtype)
     slope = 0.0
     total = 0.0
     for i in range(nx):
+        if i % block == 0:
+            spread(lifts[i // block], block, lift)
         row_slope = zero
         row_total = zero
         for j in range(ny):
             trial = pressure[i, j] + step * direction[i, j]
-            trial = trial + lift * weight[i, j] if trial > zero else zero
+            trial = trial + lift[j] * weight[i, j] if trial > zero else zero
             trial = trial if trial > zero else zero
             move = trial - pressure[i, j]
             direction[i, j] = move
