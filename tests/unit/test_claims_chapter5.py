@@ -260,3 +260,12 @@ def test_a_caption_counts_bodies_that_stopped_early():
     dataset["converged"].loc[{"friction": 0.0}] = False
     assert "1 of 2 bodies did not get to the end of its steps" in caption("fig_5_4", "Edge.", dataset)
     assert "All 2 bodies got to the end of their steps" in caption("fig_5_4", "Edge.", linear())
+
+
+def test_a_caption_tells_of_a_contact_wider_than_its_edge():
+    dataset = linear()
+    assert "contact edge" not in caption("fig_5_4", "Made up.", dataset)
+    beyond = dataset.assign(reaches_edge_end=dataset["converged"].astype(int) * 0)
+    assert "reaches an end" not in caption("fig_5_4", "Made up.", beyond)
+    beyond["reaches_edge_end"].loc[{"friction": 0.4}] = 1
+    assert "In 1 of 2 bodies the contact reaches an end" in caption("fig_5_4", "Made up.", beyond)

@@ -66,6 +66,18 @@ def test_a_body_that_meets_its_limit_keeps_what_it_reached(tmp_path):
     assert bool(np.isfinite(end["displacement"]).all())
 
 
+def test_a_contact_wider_than_its_edge_is_told_of(tmp_path):
+    narrow = {
+        **BODY,
+        "shape": {"kind": "triangle", "edge_width": 0.05e-3},
+        "mesh": {**BODY["mesh"], "rows": 12},
+    }
+    for body, beyond in ((BODY, 0), (narrow, 1)):
+        state = made(tmp_path, solid_state, {"body": body, "contact": HARD, "steps": steps(17.0)})
+        assert int(state["completed"]) == 1
+        assert int(solid_tables.final(state, [])["reaches_edge_end"]) == beyond
+
+
 def test_a_body_that_never_starts_has_no_displacement_to_tell(tmp_path):
     body = solid_bodies.make_body(BODY)
     nowhere = StepEnd("in-contact", 0.0, np.zeros_like(body.mesh.points))
@@ -74,6 +86,7 @@ def test_a_body_that_never_starts_has_no_displacement_to_tell(tmp_path):
     end = solid_tables.final(state, ["history"])
     assert bool(np.isnan(end["displacement"]).all())
     assert int(end["increments"]) == 0
+    assert int(end["reaches_edge_end"]) == 0
     study = {"compare": ["reduced"], "datum": [], "keep": [], "load": [1.0], "sweeps": []}
     stiffness = made(tmp_path, reduced_stiffness, {"body": BODY})
     store.write(stiffness, tmp_path / "stiffness.nc")

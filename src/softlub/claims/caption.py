@@ -122,8 +122,10 @@ def _state_of_bodies(dataset: xr.Dataset) -> str:
     count, failed = done.size, int((~done).sum())
     cut = int(dataset["rejected_increments"].sum()) if "rejected_increments" in dataset else 0
     tried = f" {cut} increments that did not converge were tried again in smaller ones." if cut else ""
+    tried += _too_wide(dataset)
     if not failed:
-        return f"All {count} bodies got to the end of their steps.{tried}"
+        who = "The body" if count == 1 else f"All {count} bodies"
+        return f"{who} got to the end of {'its' if count == 1 else 'their'} steps.{tried}"
     reasons = sorted(
         {str(reason).rstrip(".") for reason in dataset["stop_reason"].values.ravel() if str(reason)}
     )
@@ -131,6 +133,17 @@ def _state_of_bodies(dataset: xr.Dataset) -> str:
     return (
         f"{failed} of {count} bodies did not get to the end of {whose} steps ({'; '.join(reasons)}); crosses mark "
         f"them.{tried}"
+    )
+
+
+def _too_wide(dataset: xr.Dataset) -> str:
+    """In how many bodies the contact goes beyond the nodes that can touch."""
+    beyond = int((dataset["reaches_edge_end"] == 1).sum()) if "reaches_edge_end" in dataset else 0
+    if not beyond:
+        return ""
+    return (
+        f" In {beyond} of {dataset['converged'].size} bodies the contact reaches an end of the contact edge, beyond "
+        "which nothing can touch the plate: pressures and displacements there are wrong; widen the contact edge."
     )
 
 

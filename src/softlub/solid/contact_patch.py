@@ -1,4 +1,4 @@
-"""Half-width and peak pressure of a contact found on nodes."""
+"""Half-width and peak pressure of a contact found on nodes, and whether the nodes suffice for it."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ FloatArray = NDArray[np.float64]
 
 FEWEST_NODES = 5
 """Nodes in contact below which a parabola says nothing."""
+NEGLIGIBLE = 1e-3
+"""Part of the largest nodal force that an outermost node may carry."""
 
 
 class ContactPatch(NamedTuple):
@@ -64,3 +66,19 @@ def hertz_patch(positions: FloatArray, pressure: FloatArray) -> ContactPatch:
         highest * float(np.sqrt(summit)),
         middle - length * float(slope / (2 * curvature)),
     )
+
+
+def reaches_end(normal: FloatArray) -> bool:
+    """Whether the contact goes beyond the nodes, so that more of the body would touch.
+
+    Parameters
+    ----------
+    normal : ndarray, shape (k,)
+        Nodal forces along the edge [N/m]; NaN where they are not known.
+
+    Returns
+    -------
+    bool
+        True where an outermost node carries more than a thousandth of the largest nodal force.
+    """
+    return bool(normal[[0, -1]].max() > NEGLIGIBLE * normal.max())

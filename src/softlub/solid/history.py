@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from softlub.solid.contact_patch import reaches_end
+
 FloatArray = NDArray[np.float64]
 
 
@@ -52,7 +54,7 @@ class Increment:
     @property
     def reaches_edge_end(self) -> bool:
         """Whether an outermost node carries a thousandth of the largest nodal force: more of the body would touch."""
-        return bool(self.normal[[0, -1]].max() > 1e-3 * self.normal.max())
+        return reaches_end(self.normal)
 
 
 @dataclass(frozen=True, eq=False)

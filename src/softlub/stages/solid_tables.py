@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from softlub.solid.contact_patch import reaches_end
 from softlub.solid.reduced_stiffness import ReducedStiffness
 
 PADDED = {"mesh_cell": -1, "mesh_edge": -1, "mesh_held": -1}
@@ -22,6 +23,7 @@ MESH = (
     "stress_von_mises",
     "stress_vertical",
 )
+"""What ``outputs: [mesh]`` keeps of all nodes."""
 HISTORY = (
     "step_number",
     "time",
@@ -31,9 +33,9 @@ HISTORY = (
     "displacement",
     "nodal_force",
 )
+"""What ``outputs: [history]`` keeps of every increment."""
 SAME = ("x", "node_width", "base_gap", "mesh_point", "mesh_cell", "mesh_edge", "mesh_held")
 """What a load leaves as it is."""
-"""What `outputs` keeps of a state besides its end: all nodes, and every increment."""
 
 
 def final(state: xr.Dataset, keep: Sequence[str]) -> xr.Dataset:
@@ -64,6 +66,7 @@ def final(state: xr.Dataset, keep: Sequence[str]) -> xr.Dataset:
         residual=reached["residual"].max(),
         solver_seconds=state["solver_seconds"],
         stop_reason=state["stop_reason"],
+        reaches_edge_end=int(reaches_end(end["nodal_force"].sel(component="y").values)),
     )
     if "mesh" in keep:
         dataset = dataset.assign({name: state[name] for name in MESH})

@@ -10,7 +10,7 @@ from softlub.study.parsed import Study
 
 REVISIONS = {
     "panel": 1,
-    "study": 1,
+    "study": 2,
     "figure": 2,
     "law": 1,
     "topography": 1,
