@@ -39,6 +39,7 @@ FILM = {
 }
 PRONY = {"times": [1e-3, 1e-2], "terms": [0.5, 0.2], "normalised": "long_term"}
 RELAXING = {"kind": "viscoelastic", "hyperelastic": "L_H", "prony": PRONY}
+NEARLY = {"kind": "linear_elastic", "young_modulus": 3.5e6, "poisson_ratio": 0.49}
 DELETE = "<left out>"
 
 
@@ -339,6 +340,7 @@ def test_a_prony_file_that_cannot_be_used_is_refused(message, tmp_path, text, pa
     said = message(EQUIVALENCE, {"scene/body/material": {**RELAXING, "prony": {"file": "mine.csv"}}})
     for part in ("scene.body.material.prony.file", "mine.csv", *parts):
         assert part in said
+    assert "is missing" not in said
 
 
 MISTAKES = [
@@ -459,6 +461,27 @@ def test_an_element_that_locks_is_refused_for_an_incompressible_body_alone(messa
     assert (
         read(SOLID, {**change, "scene/body/material": nearly}).scene["body"]["element"] == "full_integration"
     )
+
+
+@pytest.mark.parametrize("block", [SOLID, MATERIAL], ids=["solid", "material"])
+def test_an_element_that_locks_is_refused_for_a_relaxing_body_too(message, block):
+    relaxing = {**RELAXING, "hyperelastic": {**NEARLY, "poisson_ratio": 0.5}}
+    text = message(block, {"scene/body/material": relaxing, "scene/body/element": "full_integration"})
+    assert "hyperelastic.poisson_ratio = 0.5" in text
+
+
+def test_a_frequency_that_leaves_no_volume_to_keep_is_refused(message):
+    glassy = {"times": [1e-3], "terms": [3000.0], "normalised": "long_term"}
+    relaxing = {**RELAXING, "hyperelastic": NEARLY, "prony": glassy}
+    text = message(MATERIAL, {"scene/body/material": relaxing, "grid/stiffness_frequency": [1e5]})
+    assert "grid.stiffness_frequency" in text
+    assert "Poisson's ratio" in text
+
+
+def test_rules_over_several_keys_are_told_in_our_words(message):
+    text = message(SOLID, {"compare": ["half_space"]})
+    assert "give datum" in text
+    assert "Value error" not in text
 
 
 def test_temperatures_in_other_scales_or_below_the_pole_are_refused(message, read):

@@ -12,7 +12,7 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import PydanticCustomError
 
-from softlub.study import paths
+from softlub.study import parts, paths
 from softlub.study.accuracy import ACCURACIES
 from softlub.study.assembly import AnyFile, assembled
 from softlub.study.blocks import Names
@@ -201,13 +201,20 @@ class _Reading:
             known = {problem.key for problem in self.problems}
             for entry in error.errors(include_url=False):
                 problem = self._problem(entry)
-                if problem.key not in known:
+                if problem.key not in known and not self._follows(problem):
                     self.problems.append(problem)
         return None
 
+    def _follows(self, problem: Problem) -> bool:
+        """Whether a key is missing only because the file that holds its number could not be used."""
+        block = problem.key.rpartition(".")[0]
+        unread = [f"{block}.{word}" for words in parts.FILES.values() for word in words]
+        return problem.text.startswith("is missing") and any(known.key in unread for known in self.problems)
+
     def _problem(self, entry: Any) -> Problem:
         key = _dotted(entry["loc"])
-        text = str(entry["msg"])
+        # Of what joins several keys of the file itself, no model around it has said the words without pydantic's.
+        text = str(entry["ctx"]["error"] if entry["type"] == "value_error" else entry["msg"])
         for place, file in self.names.used.items():
             if key.startswith(f"{SWEPT}{place}.") and key not in (*self.swept, *self.sampled):
                 text += f" (in {file})"

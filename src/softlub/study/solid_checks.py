@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
+from softlub.solid.materials.moduli import material_at_frequency
 from softlub.solid.shapes.density import MeshDensity
 from softlub.study import parts
 from softlub.study.combinations import scenes_of
@@ -32,6 +33,7 @@ def solid_problems(study: Study) -> Iterator[Problem]:
     yield from body_problems(study)
     yield from tabulated_problems(study)
     yield from _temperature_problems(study)
+    yield from _frequency_problems(study)
     if "constrained" in study.solid.get("compare", ()):
         yield from _constraint_problems(study)
 
@@ -70,3 +72,14 @@ def _temperature_problems(study: Study) -> Iterator[Problem]:
                 parts.TIME_TEMPERATURE(**shift).shift_factor(temperature)
             except ValueError as error:
                 yield Problem("grid.temperature", str(error), f"{temperature:g}")
+
+
+def _frequency_problems(study: Study) -> Iterator[Problem]:
+    """Frequencies at which a stiffness is asked for and a linear elastic material would stiffen beyond its volume."""
+    for frequency in study.solid.get("stiffness_frequency", ()):
+        for scene in scenes_of(study):
+            material = parts.built(parts.MATERIALS, scene["body"]["material"])
+            try:
+                material_at_frequency(material, frequency)
+            except ValueError as error:
+                yield Problem("grid.stiffness_frequency", str(error), f"{frequency:g}")

@@ -56,10 +56,12 @@ class MeshedBody(StudyModel):
 
 def locks(material: Any, element: str) -> str:
     """Why an element cannot follow a material; empty where it can."""
-    poisson_ratio = getattr(material, "poisson_ratio", 0.0)
+    relaxing = material.kind == "viscoelastic"
+    poisson_ratio = getattr(material.hyperelastic if relaxing else material, "poisson_ratio", 0.0)
+    where = "material.hyperelastic" if relaxing else "material"
     if element == "full_integration" and poisson_ratio >= 0.5:
         return (
-            f"material.poisson_ratio = {poisson_ratio:g} keeps every volume, and element full_integration locks; "
+            f"{where}.poisson_ratio = {poisson_ratio:g} keeps every volume, and element full_integration locks; "
             "allowed with it: mean_dilatation, reduced_integration, or a poisson_ratio below 0.5"
         )
     return ""
@@ -133,6 +135,12 @@ class MaterialBody(StudyModel):
     shape: MeshedShape = None
     element: Annotated[str, Choice(tuple(ELEMENTS))] = "mean_dilatation"
     mesh: Mesh = Field(default_factory=MESH)
+
+    @model_validator(mode="after")
+    def _element_can_keep_its_volume(self) -> MaterialBody:
+        if self.shape is not None and (refused := locks(self.material, self.element)):
+            raise ValueError(refused)
+        return self
 
 
 class MaterialScene(StudyModel):
