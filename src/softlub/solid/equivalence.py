@@ -13,7 +13,7 @@ the search is done when it ends where it has been.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -182,32 +182,49 @@ def fit_coefficient(
     shapes: list[FloatArray] = []
     wanted, converged = start, False
     while not converged and len(tried) < most_runs:
-        found = np.asarray(shape(wanted), dtype=float)
-        if not np.all(np.isfinite(found)):
-            raise ValueError(
-                f"the hyperelastic run at α = {wanted:g} gave no finite shape; narrow the bounds"
-            )
-        shape_difference(found, reference)
+        shapes.append(_checked_shape(shape, wanted, reference))
         tried.append(wanted)
-        shapes.append(found)
         wanted = _next(tried, shapes, reference, bounds, tolerance)
         apart = np.sort(np.abs(np.array(tried) / wanted - 1))
         if len(tried) > 1 and apart[0] <= tolerance:
             # Where the search has been; how the shape changes there must come from close by.
             converged = bool(apart[1] <= CLOSE_BY)
             wanted = _beside(wanted, bounds)
+    return replace(_best(tried, shapes, reference, bounds, tolerance), converged=converged)
+
+
+def _best(
+    tried: Sequence[float],
+    shapes: Sequence[FloatArray],
+    reference: FloatArray,
+    bounds: tuple[float, float],
+    tolerance: float,
+) -> EquivalentModel:
+    """The run with the least difference, not known to lie at the minimum."""
     differences = np.array([shape_difference(found, reference) for found in shapes])
     best = int(np.argmin(differences))
-    coefficient = tried[best]
     return EquivalentModel(
-        coefficient=coefficient,
+        coefficient=tried[best],
         shape_difference=float(differences[best]),
         normalised=normalised_shape_difference(shapes[best], reference),
         coefficients=np.array(tried),
         differences=differences,
-        at_bound=_bound(coefficient, bounds, tolerance),
-        converged=converged,
+        at_bound=_bound(tried[best], bounds, tolerance),
+        converged=False,
     )
+
+
+def _checked_shape(
+    shape: Callable[[float], FloatArray], coefficient: float, reference: FloatArray
+) -> FloatArray:
+    """One run's shape; refused where it is not finite or has other nodes than the reference."""
+    found = np.asarray(shape(coefficient), dtype=float)
+    if not np.all(np.isfinite(found)):
+        raise ValueError(
+            f"the hyperelastic run at α = {coefficient:g} gave no finite shape; narrow the bounds"
+        )
+    shape_difference(found, reference)
+    return found
 
 
 def _beside(coefficient: float, bounds: tuple[float, float]) -> float:

@@ -3,10 +3,10 @@
 Over the swept fields, `load` and `model` (``viscoelastic``, ``fitted``, ``alpha=1.5`` …): `coefficient`,
 `shape_difference` and `shape_difference_normalised` from the viscoelastic body, `converged`, `plate_height`,
 `iterations`, `stop_reason`, `reaches_edge_end`; over `node` besides `contact_pressure`, and over `component`
-`displacement`, `nodal_force` and `displacement_reduced`, what the model's K_r makes of the viscoelastic body's nodal forces, with
-`displacement_reduced_error` and, over `component`, `displacement_reduced_error_component` as in the study of solids;
-the viscoelastic body has no stiffness of its own, and NaN there. Over `load` alone `shape_difference_rigid`, what a
-body that does not deform scores, and `fit_converged`; over `run` `tried_coefficient` and `tried_difference`.
+`displacement`, `nodal_force` and `displacement_reduced`, what the model's K_r makes of the viscoelastic body's nodal
+forces, with `displacement_reduced_error` and, over `component`, `displacement_reduced_error_component` as in the study
+of solids; the viscoelastic body has no stiffness of its own, and NaN there. Over `load` alone `shape_difference_rigid`,
+what a body that does not deform scores, and `fit_converged`; over `run` `tried_coefficient` and `tried_difference`.
 ``outputs`` as in the study of solids.
 """
 
