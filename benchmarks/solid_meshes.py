@@ -113,7 +113,9 @@ def draw(dataset: xr.Dataset) -> DataFigure:
         for panel in panels:
             panel.letter(panel.name)
             panel.axes.set(xscale="log", yscale="log")
+        panels[2].axes.set(xlim=(1e3, 1e6))
         for panel, name in zip(panels, ("plate_height_error", "peak_pressure_error"), strict=False):
+            panel.axes.set(xlim=(0.1, 10), ylim=(1e-4, 0.1))
             _errors(panel, dataset, name)
         _times(panels[2], dataset)
         share_legend(figure, panels, 3)

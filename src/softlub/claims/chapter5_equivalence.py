@@ -121,10 +121,11 @@ def equivalent_exists(datasets: Datasets) -> Verdict:
     """Root of the normalised shape difference of the fit."""
     pairs = _by_steps(datasets("ch5-equivalence"), "fitted", "shape_difference_normalised")
     off = [(label, float(np.sqrt(value))) for label, value in pairs]
-    return judge(
-        off[0][1] <= AGREEMENT,
+    return Verdict(
         f"the best one is off by {_listed(off, 2)} of the rms displacement",
-        f"{DURATIONS}; judged by the first, where the sliding is steady, within {percent(AGREEMENT)}; material L",
+        "not decidable",
+        "where the sliding is steady the body has relaxed, and is trivially its own equivalent; short steps leave a "
+        "difference, and the source prints neither its steps nor its series. Material L alone",
     )
 
 
@@ -146,8 +147,9 @@ def reduced_of_equivalent(datasets: Datasets) -> Verdict:
     dataset = datasets("ch5-equivalence")
     fitted, given = (_by_steps(dataset, model, "displacement_reduced_error") for model in ("fitted", GIVEN))
     return judge(
-        fitted[0][1] <= AGREEMENT,
-        f"with the fitted alpha {percent(fitted[0][1])} of the largest displacement, with {SOURCE_ALPHA:g} "
-        f"{percent(given[0][1])}",
-        f"steps of {fitted[0][0]}; good agreement: within {percent(AGREEMENT)}",
+        given[0][1] <= AGREEMENT,
+        f"with alpha = {SOURCE_ALPHA:g} {percent(given[0][1])} of the largest displacement, with the fitted alpha "
+        f"{percent(fitted[0][1])}",
+        f"steps of {fitted[0][0]}; good agreement: within {percent(AGREEMENT)}. The coefficient is what does not fit; "
+        "the reduced stiffness of a body that does is as good as that of an elastic one",
     )
