@@ -16,6 +16,7 @@ from softlub.solid.reduced_stiffness import ReducedStiffness
 from softlub.solid.shapes.density import MeshDensity
 from softlub.solid.shapes.rectangle import Rectangle
 from softlub.solid.shapes.triangle import TriangularSpecimen
+from softlub.solid.steps import InContact, Loading, Sliding, run
 from softlub.surfaces.spectrum import SelfAffine
 
 MATERIAL = NeoHookean(c10=0.5932e6, d1=1e-9)
@@ -67,6 +68,20 @@ def loaded(specimen):
     forces = contact_forces(specimen.mesh, LOAD, friction=0.4)
     displacement = in_balance(specimen, 0.5 * forces)
     return forces, in_balance(specimen, forces, displacement)
+
+
+@pytest.mark.parametrize(("friction", "lateral_bound"), [(0.0, 0.12), (0.4, 0.02)])
+def test_stays_near_nonlinear_finite_elements_at_the_working_load(friction, lateral_bound):
+    """Within 2 % of the longest displacement; without friction that hides a tenth of the small lateral one."""
+    body = Body(TriangularSpecimen().mesh(MeshDensity(edge_nodes=513, rows=11, flank_columns=30)), MATERIAL)
+    reduced = ReducedStiffness.of(body)
+    last = run(body, PlateContact(), [InContact(), Loading(LOAD), Sliding(friction)]).last
+    assert last.load == pytest.approx(LOAD, rel=1e-8)
+    full = last.edge_displacement
+    difference = np.abs(reduced.displacement(np.column_stack([last.shear, last.normal])) - full)
+    assert np.hypot(*difference.T).max() <= 0.02 * np.hypot(*full.T).max()
+    assert difference[:, 0].max() <= lateral_bound * np.abs(full[:, 0]).max()
+    assert difference[:, 1].max() <= 0.02 * np.abs(full[:, 1]).max()
 
 
 @pytest.mark.parametrize(("edge_nodes", "bound"), [(129, 1e-9), (513, 1e-9), (1025, 1e-8)])

@@ -8,9 +8,10 @@ Over the swept fields and `load`, then:
   over its own largest;
 - `datum`, `node`, `component`: `displacement_half_space`, of a half-plane whose displacement is 0 at that distance from
   a line load; `displacement_half_space_error` and `displacement_half_space_error_component` likewise;
-- `node`, `component`: `nodal_force`; `node`: `contact_pressure`; over neither: `plate_height`, `converged` (all steps
-  gone through), `iterations`, `increments`, `rejected_increments`, `residual`, `solver_seconds`, `stop_reason`,
-  `reaches_edge_end` (1 where the contact goes beyond the contact edge, and is too narrow for it).
+- `node`, `component`: `nodal_force`; `node`: `contact_pressure`; over neither: `applied_load` and
+  `applied_friction` (those reached; a body that stopped falls short of what was asked), `plate_height`, `converged` (all
+  steps gone through), `iterations`, `increments`, `rejected_increments`, `residual`, `solver_seconds`, `stop_reason`,
+  `reaches_edge_end` (1 where the contact goes beyond the contact edge, which is too narrow for it).
 
 Over the swept fields: `x` and `node_width` of every node, `stiffness_diagonal` and `stiffness_apex_row` (entries of K_r
 in the row of the apex) over `node` and `component`, `degrees_of_freedom`, `stored_entries`, `condensation_seconds`.

@@ -55,7 +55,17 @@ def final(state: xr.Dataset, keep: Sequence[str]) -> xr.Dataset:
     # A body that met its limit at once has no increment, and no displacement to tell.
     reached = state if state.sizes["increment"] else state.pad(increment=(1, 0))
     last = reached.drop_vars(["increment", "step"]).isel(increment=-1)
-    end = last[["displacement", "nodal_force", "plate_height", "node_width", "base_gap"]]
+    # The load reached stands beside the load asked for: of a body that stopped they differ.
+    told = (
+        "displacement",
+        "nodal_force",
+        "applied_load",
+        "applied_friction",
+        "plate_height",
+        "node_width",
+        "base_gap",
+    )
+    end = last[list(told)]
     pressure = end["nodal_force"].sel(component="y", drop=True) / end["node_width"]
     dataset = end.assign(
         contact_pressure=pressure,
