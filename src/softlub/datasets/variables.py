@@ -170,7 +170,9 @@ VARIABLES: dict[str, Variable] = {
     "completed": Variable("1", "whether all steps were gone through"),
     "stop_reason": Variable("1", "where and why the steps were stopped; empty where they were not"),
     "increments": Variable("1", "increments of all steps"),
-    "reaches_edge_end": Variable("1", "whether the contact reaches an end of the contact edge and would go beyond"),
+    "reaches_edge_end": Variable(
+        "1", "whether the contact reaches an end of the contact edge and would go beyond"
+    ),
     "rejected_increments": Variable("1", "increments that were tried and found too large"),
     "stiffness_diagonal": Variable("N/m2", "diagonal of the reduced stiffness", "5-3"),
     "stiffness_apex_row": Variable("N/m2", "row of the apex in the reduced stiffness", "5-3"),

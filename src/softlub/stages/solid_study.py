@@ -9,7 +9,7 @@ Over the swept fields and `load`, then:
 - `datum`, `node`, `component`: `displacement_half_space`, of a half-plane whose displacement is 0 at that distance from
   a line load; `displacement_half_space_error` and `displacement_half_space_error_component` likewise;
 - `node`, `component`: `nodal_force`; `node`: `contact_pressure`; over neither: `applied_load` and
-  `applied_friction` (those reached; a body that stopped falls short of what was asked), `plate_height`, `converged` (all
+  `applied_friction` (those reached; a body that stopped falls short), `plate_height`, `converged` (all
   steps gone through), `iterations`, `increments`, `rejected_increments`, `residual`, `solver_seconds`, `stop_reason`,
   `reaches_edge_end` (1 where the contact goes beyond the contact edge, which is too narrow for it).
 
