@@ -10,8 +10,8 @@ BENCHMARKS = [
     "map_throughput",
     "start_up",
     "condensation",
-    "solid_meshes",
-    "solid_stability",
+    "specimen_meshes",
+    "specimen_stability",
 ]
 STRESS_CHUNKS = range(8)
 BENCHMARK_CODE = str(ROOT / "benchmarks" / "{name}.py")
