@@ -68,6 +68,12 @@ def open_gap(state: FloatArray, grid: Grid, scene: Scene, fields: Fields, allowe
 
 
 @njit(cache=True)
+def allowed_residual(tolerance: float, film_min: float) -> float:
+    """The tolerance, which falls with the film."""
+    return tolerance * min(max(film_min / TOLERANCE_FILM, TOLERANCE_FLOOR), 1.0)
+
+
+@njit(cache=True)
 def leg(
     targets: FloatArray,
     rows: NDArray[np.int64],
@@ -107,8 +113,7 @@ def leg(
             state = np.empty(states.shape[1])
             predict(logs, states, min(known, use), log_speed, state)
             open_gap(state, mesh.grid, scene, fields, KEPT_GAP * film_min)
-        speed_number = np.exp(log_speed)
-        allowed = tolerance * min(max(film_min / TOLERANCE_FILM, TOLERANCE_FLOOR), 1.0)
+        speed_number, allowed = np.exp(log_speed), allowed_residual(tolerance, film_min)
         count, residual = newton(
             state, speed_number, mesh.grid, scene, basis.integration, fields, work, allowed
         )
@@ -126,9 +131,8 @@ def leg(
         push(logs, states, log_speed, state)
         known, use, largest = min(known + 1, HISTORY), HISTORY, min(MAX_LOG_STEP, 1.5 * largest)
         while index < targets.size and abs(log_speed - targets[index]) < 1e-12:
-            row = rows[index]
-            record(row, state, speed_number, mesh, scene, basis, fields, outcome)
-            outcome.numbers[row, STEPS], outcome.numbers[row, RESIDUAL] = count, residual
+            record(rows[index], state, speed_number, mesh, scene, basis, fields, outcome)
+            outcome.numbers[rows[index], STEPS], outcome.numbers[rows[index], RESIDUAL] = count, residual
             index += 1
     return True
 
