@@ -20,9 +20,9 @@ REFERENCE_TOLERANCE = 1e-9
 Errors = TypeVar("Errors", np.ndarray, xr.DataArray)
 
 
-def surface(points: int) -> Topography:
-    """Self-affine, H = 0.8, roll-off at a quarter of the period, cut-off at 8 points, h'rms = 1."""
-    spectrum = SelfAffine.from_rms_slope(1.0, 0.8, 2 * np.pi * 4, 2 * np.pi * points / 8)
+def surface(points: int, shortest_wave: int = 8) -> Topography:
+    """Self-affine, H = 0.8, roll-off at a quarter of the period, cut-off at a number of points, h'rms = 1."""
+    spectrum = SelfAffine.from_rms_slope(1.0, 0.8, 2 * np.pi * 4, 2 * np.pi * points / shortest_wave)
     return synthesize(spectrum, 1.0, points, seed=1, target="rms_slope")
 
 

@@ -55,6 +55,25 @@ def work_precision(dataset: xr.Dataset, error: str) -> DataFigure:
         return figure
 
 
+def one_grid(dataset: xr.Dataset, error: str) -> DataFigure:
+    """The same for a single grid, a panel a load."""
+    with styled():
+        figure = new_figure(style.PAGE, 2.7)
+        axes = figure.subplots(1, len(DRAWN_LOADS), sharey=True)
+        (points,) = dataset["points"].values.tolist()
+        panels = []
+        for axis, load in zip(axes, DRAWN_LOADS, strict=True):
+            runs = dataset.sel(load=load, points=points)
+            panels.append(_errors_panel(axis, runs, error, (load, points)))
+            axis.set_title(rf"$N$ = {points}, $p$ = {style.power(load)} $E^* h'_\mathrm{{rms}}$", fontsize=7)
+            _set_time_limits(axis, runs["cpu_time"])
+        for axis in axes[1:]:
+            axis.set_ylabel("")
+        _explain(panels[0])
+        share_legend(figure, panels, 5)
+        return figure
+
+
 def _label_outside(axes: np.ndarray, sizes: list[int]) -> None:
     """Grids above the columns, loads beside the rows, and axis labels on the outer panels only."""
     for axis, points in zip(axes[0], sizes, strict=True):

@@ -28,12 +28,12 @@ References = Mapping[float, Reference]
 
 def measure(points: int, python: str) -> xr.Dataset:
     """Every solver on one grid."""
-    return compare(all_solvers(python), points)
+    return compare(all_solvers(python), surface(points))
 
 
-def compare(solvers: Mapping[str, Solver], points: int) -> xr.Dataset:
+def compare(solvers: Mapping[str, Solver], topography: Topography) -> xr.Dataset:
     """Runs of the solvers over `solver`, `load` and `step` of the ladder; NaN where a solver was not run."""
-    topography = surface(points)
+    points = topography.heights.shape[0]
     began = time.process_time()
     solve(topography, 1.0, ONE_LOAD)
     first_call = time.process_time() - began

@@ -19,6 +19,7 @@ import peer_solvers  # noqa: E402
 import peers  # noqa: E402
 import peers_area  # noqa: E402
 import peers_drawing  # noqa: E402
+import peers_fine  # noqa: E402
 import peers_ratios  # noqa: E402
 import peers_size  # noqa: E402
 import peers_sweep  # noqa: E402
@@ -35,7 +36,7 @@ def topography():
 @pytest.fixture(scope="module")
 def joined(tmp_path_factory):
     solvers = contact_solvers.our_solvers()
-    sizes = [peers_size.compare(solvers, points) for points in (POINTS, 2 * POINTS)]
+    sizes = [peers_size.compare(solvers, contact_errors.surface(points)) for points in (POINTS, 2 * POINTS)]
     parts = [*sizes, peers_sweep.compare(solvers, POINTS, (0.5, 0.1, 0.02))]
     folder = tmp_path_factory.mktemp("parts")
     return stored(folder, peers.measure([stored(folder, part) for part in parts]))
@@ -81,6 +82,15 @@ def test_errors_are_those_put_in(topography):
     assert gap == pytest.approx(amplitude / np.sqrt(2) / topography.heights.std(), rel=1e-3)
     pressure[:2, :3] = 0
     assert reference.errors(pressure)[0] == pytest.approx(6 / POINTS**2)
+
+
+def test_the_finest_surface_holds_waves_of_two_points():
+    heights = contact_errors.surface(POINTS, shortest_wave=2).heights
+    waves = np.abs(np.fft.rfft2(heights))
+    assert waves[0, POINTS // 2 - 1] > 0
+    assert (
+        np.abs(np.fft.rfft2(contact_errors.surface(POINTS).heights))[0, POINTS // 8 + 1] < 1e-12 * waves.max()
+    )
 
 
 def test_a_constant_added_to_the_heights_is_no_error(topography):
@@ -218,10 +228,14 @@ def test_figures_show_every_run_and_say_what_was_not_run(joined, monkeypatch, tm
     assert all("(" in axes.get_xlabel() for axes in figure.axes[-2:])
     rows = table(peers_area.draw(stored(tmp_path, peers_area.measure([joined])))).splitlines()
     assert rows[0] == "panel,series,cpu_time [s],area_error [1]"
+    fine = peers_fine.draw(peers_fine.with_ratios(joined.isel(points=[0])))
+    assert len({series.panel for series in fine.series}) == 2
     names = {series.series for series in peers_ratios.draw(peers_ratios.measure([joined])).series}
     assert names == set(contact_solvers.our_solvers())
 
 
-@pytest.mark.parametrize("name", ["peers", "peers_area", "peers_ratios", "peers_size", "peers_sweep"])
+@pytest.mark.parametrize(
+    "name", ["peers", "peers_area", "peers_fine", "peers_ratios", "peers_size", "peers_sweep"]
+)
 def test_every_part_measures(name):
     assert callable(importlib.import_module(name).measure)

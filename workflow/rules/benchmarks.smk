@@ -75,7 +75,9 @@ PEER_PARTS = [
 
 rule peers:
     input:
-        expand(RESULT + ".nc", name=("peers", "peers_area", "peers_ratios")),
+        expand(
+            RESULT + ".nc", name=("peers", "peers_area", "peers_ratios", "peers_fine")
+        ),
 
 
 rule peers_environment:
@@ -112,6 +114,24 @@ rule peers_sweep:
         environment=".venv-peers/ready",
     output:
         dataset="results/benchmarks/peers/sweep.nc",
+    threads: workflow.cores
+    params:
+        python=".venv-peers/bin/python",
+    script:
+        "../scripts/run_benchmark.py"
+
+
+rule peers_fine:
+    input:
+        code=BENCHMARK_CODE.format(name="peers_fine"),
+        drawing=BENCHMARK_CODE.format(name="peers_drawing"),
+        others=PEER_CODE + [BENCHMARK_CODE.format(name="peers_size")],
+        environment=".venv-peers/ready",
+    output:
+        dataset=RESULT.format(name="peers_fine") + ".nc",
+        pictures=multiext(
+            RESULT.format(name="peers_fine"), ".pdf", ".png", ".svg", ".csv"
+        ),
     threads: workflow.cores
     params:
         python=".venv-peers/bin/python",
