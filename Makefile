@@ -9,7 +9,7 @@ CORES ?= 2
 export OPENBLAS_NUM_THREADS ?= 1
 export OMP_NUM_THREADS ?= 1
 export NUMBA_NUM_THREADS ?= 1
-KERNELS := $(shell grep -rl "njit" src --include=*.py)
+KERNELS := $(shell grep -rlE "njit|@compiled" src --include=*.py)
 
 .PHONY: reproduce test smoke benchmarks stress claims lint clean help
 
