@@ -116,6 +116,15 @@ def test_nyquist_modes_are_zero_and_a_rounded_cutoff_is_clamped():
     assert transform[511, 0] > 1e-6 * transform.max()
 
 
+def test_the_longest_waves_stay_where_their_wavevector_is_printed_with_seven_digits():
+    """2π/2e-4 = 31415.927, which table 4-1's block rounds up to 3.141593e4."""
+    printed, exact = (SelfAffine(1e-6, 0.8, 6.283185e4, 2e6, start) for start in (3.141593e4, np.pi * 1e4))
+    surfaces = [synthesize(spectrum, 4e-4, 512, seed=1) for spectrum in (printed, exact)]
+    longest = [np.abs(np.fft.rfft2(surface.heights)[2, 0]) for surface in surfaces]
+    assert longest[1] > 0
+    assert longest[0] == pytest.approx(longest[1], rel=1e-6)
+
+
 def test_a_cutoff_beyond_nyquist_is_refused():
     spectrum = SelfAffine(1e-6, 0.8, 1e5, 1.002 * np.pi / 1e-6)
     with pytest.raises(ValueError, match=r"cutoff .* beyond the grid's Nyquist wavevector .* more points"):

@@ -17,8 +17,9 @@ from softlub.surfaces.spectrum import SelfAffine
 from softlub.surfaces.synthetic import Target, resolved_cutoff
 from softlub.surfaces.topography import Topography
 
-# Waves that lie on a cut-off but for rounding count as lying on it.
 ROUNDING = 1e-9
+# Waves that lie on a cut-off but for its last printed digit, the seventh in study files, count as lying on it.
+PRINTED = 1e-6
 
 
 def synthesize(
@@ -176,9 +177,9 @@ def _superpose(
     moment = 0.0
     for row, wavevector in enumerate(along_x):
         magnitude = np.hypot(wavevector, along_y)
-        held = (magnitude >= spectrum.plateau_start * (1 - ROUNDING)) & (magnitude < cutoff * (1 - ROUNDING))
+        held = (magnitude >= spectrum.plateau_start * (1 - PRINTED)) & (magnitude < cutoff * (1 - PRINTED))
         amplitude = np.zeros_like(magnitude)
-        # Waves on q_L but for rounding count as lying on it.
+        # Where the density is asked for, they do lie on it.
         within = np.clip(magnitude[held], spectrum.plateau_start, spectrum.cutoff)
         amplitude[held] = np.sqrt(spectrum.density(within))
         coefficients[row] *= amplitude
