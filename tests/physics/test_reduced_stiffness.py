@@ -231,3 +231,11 @@ def test_refuses_states(specimen, loaded):
         ReducedStiffness.of(specimen, stretched)
     with pytest.raises(ValueError, match=r"base_gap of shape \(4,\) must be \(3,\)"):
         ReducedStiffness(np.arange(3.0), np.ones(3), np.eye(6), np.ones(4), np.ones((3, 2)), np.ones((3, 2)))
+
+
+def test_forces_of_another_shape_are_refused(specimen):
+    reduced = ReducedStiffness.of(specimen)
+    with pytest.raises(
+        ValueError, match=r"shape \(258,\) do not fit 129 edge nodes: give them as \(129, 2\)"
+    ):
+        reduced.displacement(np.zeros(258))

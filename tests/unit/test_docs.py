@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from softlub.study.drawings import DRAWINGS
+
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "config" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 
@@ -24,11 +26,24 @@ def test_every_make_target_named_has_a_rule():
     assert {"reproduce", "test"} <= named <= listed
 
 
-def test_readme_notebook_example_runs():
-    code = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+def test_readme_notebook_examples_run():
+    film, body = re.findall(
+        r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL
+    )
     scope: dict = {}
-    exec(code[1], scope)
+    exec(film, scope)
     assert bool(scope["curve"]["converged"].all())
+    scope = {}
+    exec(body, scope)
+    assert abs(scope["answer"] - scope["last"].edge_displacement).max() < 0.02 * scope["last"].plate_height
+
+
+def test_every_option_of_a_drawing_stands_in_its_table():
+    text = (ROOT / "config" / "README.md").read_text(encoding="utf-8").split("## Options of drawings")[1]
+    rows = [re.findall(r"`(\w+)`", line) for line in text.splitlines() if line.startswith("| `")]
+    for name, drawing in DRAWINGS.items():
+        told = {word for row in rows if name in row for word in row}
+        assert set(drawing.options) <= told
 
 
 def test_no_path_of_a_machine_is_committed():

@@ -185,12 +185,17 @@ def _domain(dataset: xr.Dataset, compared: bool) -> str:
         return ""
     ours = f"Domain: {_listed(reach, '±')} mm, {_listed(widths)} Hertz half-widths"
     source = " (the source takes ±1 mm)" if compared else ""
+    narrow = (
+        " It hardly holds the contact: widen it, or lower the load." if np.nanmin(widths) < NARROW else ""
+    )
     return escape(
-        f"{ours}{source}. It is a convention that decides friction and film where the fluid carries all of the load: "
-        "for the contact of table 3-1 above some 0.1 m/s."
+        f"{ours}{source}.{narrow} It is a convention that decides friction and film where the fluid carries all of the "
+        "load: for the contact of table 3-1 above some 0.1 m/s."
     )
 
 
+NARROW = 2.0
+"""Domain over the dry contact below which there is hardly an inlet."""
 MOST_LISTED = 3
 
 

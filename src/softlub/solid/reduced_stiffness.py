@@ -162,8 +162,19 @@ class ReducedStiffness:
         -------
         ndarray, shape (k, 2)
             u - u0, with the holder at rest [m].
+
+        Raises
+        ------
+        ValueError
+            If there is not one force of two components for every edge node.
         """
-        change = np.asarray(nodal_forces, dtype=float) - self.base_force
+        forces = np.asarray(nodal_forces, dtype=float)
+        if forces.shape != self.base_force.shape:
+            raise ValueError(
+                f"nodal forces of shape {forces.shape} do not fit {self.positions.size} edge nodes: give them as "
+                f"{self.base_force.shape}, one row (x, y) a node"
+            )
+        change = forces - self.base_force
         return self.response(change.ravel()).reshape(-1, 2)
 
     def dataset(self) -> xr.Dataset:
