@@ -150,12 +150,12 @@ def test_the_base_value_of_a_swept_field_is_not_in_the_key(planned):
 
 
 def test_a_sample_is_cut_into_panels(planned):
-    sample = {"points": 1100, "seed": 3, "ranges": {"load": {"from": 1, "to": 10, "spacing": "log"}}}
+    sample = {"points": 2200, "seed": 3, "ranges": {"load": {"from": 1, "to": 10, "spacing": "log"}}}
     made = planned(grid={"speed": [1e-3], "sample": sample}, figures=["regime_map"])
     assert counts(made) == (3, 1, 1)
     chunks = [panel.spec["sample"] for panel in made.of_kind("panel")]
-    assert [(chunk["first"], chunk["size"]) for chunk in chunks] == [(0, 512), (512, 512), (1024, 76)]
-    longer = planned(grid={"speed": [1e-3], "sample": {**sample, "points": 2000}})
+    assert [(chunk["first"], chunk["size"]) for chunk in chunks] == [(0, 1024), (1024, 1024), (2048, 152)]
+    longer = planned(grid={"speed": [1e-3], "sample": {**sample, "points": 3000}})
     assert keys(longer)[:2] == keys(made)[:2]
 
 

@@ -20,7 +20,7 @@ from softlub.study.solvers import settings
 from softlub.study.specimens import without_specimen
 from softlub.study.stamp import REVISIONS, plain, stamp
 
-CHUNK = 512
+CHUNK = 1024
 """Curves of a sample that one panel solves; a power of two, so that each chunk of a Sobol design is balanced."""
 
 
