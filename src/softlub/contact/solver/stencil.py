@@ -39,13 +39,6 @@ def stencil_taps() -> NDArray[np.float64]:
     return np.asarray(taps)
 
 
-def stencil_symbol(phase: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What the stencil makes of waves of given phases along both axes, shape (n, n)."""
-    return np.asarray(
-        sum(tap * _waves(phase, *offset) for tap, offset in zip(stencil_taps(), OFFSETS, strict=True))
-    )
-
-
 def _waves(phase: NDArray[np.float64], far: int, near: int) -> NDArray[np.float64]:
     """Symbol of a unit coefficient at (far, near) and all its mirror images."""
     images = {(sx * a, sy * b) for a, b in ((far, near), (near, far)) for sx in (1, -1) for sy in (1, -1)}
