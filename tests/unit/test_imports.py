@@ -119,6 +119,7 @@ def loaded_by(statement):
         ("import softlub.units", {"numpy", "pint"}),
         ("import softlub.study", {"felupe", "matplotlib", "SurfaceTopography", "numba"}),
         ("import softlub.lubrication", {"felupe", "matplotlib", "SurfaceTopography", "pint"}),
+        ("import softlub.stages.panel", {"felupe", "matplotlib", "SurfaceTopography", "pint", "pydantic"}),
         ("import softlub.solid", {"numpy", "scipy", "felupe", "matplotlib", "xarray"}),
         (
             "import softlub.contact.laws.persson",

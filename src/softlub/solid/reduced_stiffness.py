@@ -6,13 +6,13 @@ state, where the edge carries the nodal forces F0,
     K_r (u - u0) = F - F0    (equation 5-3),
 
 exact for small steps: the error falls in proportion to the step of the load. The contact with the plate is no part of
-the body, so it is released of itself; what is added on purpose, as its tangent for figure 5-10, is kept. K_r of a
+the body, so it is released of itself; `with_contact` keeps it, for figure 5-10. K_r of a
 viscoelastic body at a frequency is that of the elastic one with the storage modulus there.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -87,7 +87,6 @@ class ReducedStiffness:
         cls,
         body: Body,
         displacement: FloatArray | None = None,
-        added_stiffness: sparse.sparray | sparse.spmatrix | None = None,
     ) -> ReducedStiffness:
         """Condense a body, which is left as it was.
 
@@ -96,8 +95,6 @@ class ReducedStiffness:
         body : Body
         displacement : ndarray, shape (n, 2), optional
             Base state of all nodes [m], in balance with forces on the edge alone; by default the initial state.
-        added_stiffness : sparse array, shape (2n, 2n), optional
-            What holds the body besides its holder, as the tangent of the contact with the plate [N/m²].
 
         Raises
         ------
@@ -115,8 +112,6 @@ class ReducedStiffness:
         forces, tangent = _tangent_at(body, base)
         if displacement is not None:
             _check_balance(forces, mesh.free_dofs, mesh.edge_dofs)
-        if added_stiffness is not None:
-            tangent = tangent + sparse.csr_array(added_stiffness)
         free = mesh.free_dofs
         kept = np.searchsorted(free, mesh.edge_dofs)
         place = (mesh.points + base)[mesh.edge]
@@ -128,6 +123,30 @@ class ReducedStiffness:
             base_force=forces[mesh.edge_dofs].reshape(-1, 2),
             base_displacement=base[mesh.edge],
         )
+
+    def with_contact(self, stiffness: FloatArray, friction: float = 0.0) -> ReducedStiffness:
+        """The matrix as it is where the contact with the plate is not released, as in the source's figure 5-10.
+
+        A node that moves up by du opens its gap and is pushed by N' du less, N' = -dN/dg, and in steady sliding dragged
+        by μN' du less. Only kept degrees of freedom meet these, so that adding them before the condensation or
+        afterwards is the same.
+
+        Parameters
+        ----------
+        stiffness : ndarray, shape (k,)
+            N' of every node in the base state, as `PlateForces.stiffness` gives it [N/m²].
+        friction : float, optional
+            μ.
+
+        Returns
+        -------
+        ReducedStiffness
+        """
+        along, upwards = np.arange(0, 2 * self.positions.size, 2), np.arange(1, 2 * self.positions.size, 2)
+        whole = self.stiffness.copy()
+        whole[upwards, upwards] += stiffness
+        whole[along, upwards] += friction * stiffness
+        return replace(self, stiffness=whole)
 
     @cached_property
     def _factors(self) -> tuple[FloatArray, FloatArray]:
@@ -223,10 +242,8 @@ def _tangent_at(body: Body, displacement: FloatArray) -> tuple[FloatArray, spars
     """Nodal forces and exact tangent of a state; the body forgets that it was asked."""
     before = body.checkpoint()
     try:
-        body.forces(displacement)
-        # Once more at the same place: the element's lagged pressure is exact only then.
-        forces = body.forces(displacement)
-        return forces, sparse.csr_array(body.tangent())
+        tangent = sparse.csr_array(body.tangent_at(displacement))
+        return body.forces(displacement), tangent
     finally:
         body.restore(before)
 

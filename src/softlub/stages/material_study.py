@@ -23,7 +23,7 @@ from softlub.solid.materials.moduli import tensile_dynamics
 from softlub.solid.materials.viscoelastic import Viscoelastic
 from softlub.stages import solid_bodies, solid_tables
 from softlub.stages.surface_study import swept
-from softlub.study import parts
+from softlub.study import kinds
 
 Spec = Mapping[str, Any]
 ENTRIES = ("stiffness_diagonal", "stiffness_apex_row")
@@ -73,7 +73,7 @@ def _moduli(material: Viscoelastic, spec: Spec, shift: Mapping[str, Any] | None)
     )
     if not spec["temperature"]:
         return dataset.assign(_dynamics(material, frequency))
-    law = parts.TIME_TEMPERATURE(**(shift or {}))
+    law = kinds.TIME_TEMPERATURE(**(shift or {}))
     temperatures = xr.Variable("temperature", np.array(spec["temperature"]))
     shifted = [
         xr.Dataset(_dynamics(replace(material, prony=law.at_temperature(series, value)), frequency))

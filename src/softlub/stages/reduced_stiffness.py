@@ -16,6 +16,7 @@ import xarray as xr
 
 from softlub.datasets import store
 from softlub.solid.materials.moduli import material_at_frequency
+from softlub.solid.materials.viscoelastic import at_rest
 from softlub.solid.reduced_stiffness import ReducedStiffness
 from softlub.stages import solid_bodies
 
@@ -59,5 +60,5 @@ def material(spec: Spec, coefficient: float | None) -> Any:
     made = solid_bodies.make_material(spec["body"]["material"])
     if "frequency" in spec:
         return material_at_frequency(made, spec["frequency"])
-    rest = solid_bodies.at_rest(made)
+    rest: Any = at_rest(made)
     return rest if coefficient is None else rest.scaled(coefficient)

@@ -15,16 +15,15 @@ from softlub.lubrication.film import Lubricant
 from softlub.lubrication.meshed_body import MeshedBody
 from softlub.lubrication.problem import HalfSpaceCylinder, Problem
 from softlub.protocols import Compliance, ContactLaw
-from softlub.solid.shapes.cylinder import Cylinder
+from softlub.solid.materials.viscoelastic import at_rest
 from softlub.stages.tabulated import SweptSurface
-from softlub.study import parts
+from softlub.study import kinds
 from softlub.study.specimens import height_scale, without_specimen
 from softlub.surfaces.spectrum import SelfAffine, Smooth
 
 Scene = dict[str, Any]
 
 SURFACES = {"self_affine": SelfAffine, "smooth": Smooth}
-SHAPES = {"cylinder": Cylinder}
 LAWS = {"persson": PerssonLaw, "exponential": ExponentialLaw}
 
 
@@ -54,10 +53,7 @@ def with_value(scene: Scene, path: str, value: Any) -> Scene:
 
 def material(scene: Scene) -> Any:
     """The body's material; of one with a memory that at rest, since a film is steady in the frame of the body."""
-    block = scene["body"]["material"]
-    if block["kind"] in parts.RATE_INDEPENDENT:
-        return _build(parts.RATE_INDEPENDENT, block)
-    return parts.built(parts.MATERIALS, block).at_rest
+    return at_rest(kinds.built(kinds.MATERIALS, scene["body"]["material"]))
 
 
 def rms_roughness(scene: Scene, swept: SweptSurface | None = None) -> float:
@@ -116,7 +112,9 @@ def problem(
 def _body(scene: Scene, compliance: Compliance | None) -> HalfSpaceCylinder | MeshedBody:
     modulus = material(scene).plane_strain_modulus
     if compliance is None:
-        return HalfSpaceCylinder(radius=_build(SHAPES, scene["body"]["shape"]).radius, modulus=modulus)
+        return HalfSpaceCylinder(
+            radius=kinds.built(kinds.SHAPES, scene["body"]["shape"]).radius, modulus=modulus
+        )
     return MeshedBody(compliance, _tip_radius(scene, compliance), modulus)
 
 
@@ -127,7 +125,7 @@ def _tip_radius(scene: Scene, compliance: Compliance) -> float:
     """
     shape = scene["body"]["shape"]
     if shape["kind"] != "profile":
-        return float(parts.built(parts.MESHED_SHAPES, shape).tip_radius)
+        return float(kinds.built(kinds.MESHED_SHAPES, shape).tip_radius)
     x, gap = compliance.positions, compliance.base_gap - compliance.base_gap.min()
     low = gap <= gap.max() / 4
     curvature = 2 * float(np.polyfit(x[low], gap[low], 2)[0]) if low.sum() > 2 else 0.0
@@ -154,9 +152,5 @@ def _law(scene: Scene, swept: SweptSurface | None) -> ContactLaw:
 
 
 def _surface(scene: Scene) -> SelfAffine | Smooth:
-    surface: SelfAffine | Smooth = _build(SURFACES, without_specimen(scene["surface"]))
+    surface: SelfAffine | Smooth = kinds.built(SURFACES, without_specimen(scene["surface"]))
     return surface
-
-
-def _build(classes: dict[str, Any], block: dict[str, Any]) -> Any:
-    return classes[block["kind"]](**{key: value for key, value in block.items() if key != "kind"})

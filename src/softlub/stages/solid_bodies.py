@@ -12,13 +12,13 @@ from softlub.contact.laws.tabulated import TabulatedLaw
 from softlub.protocols import ContactLaw
 from softlub.solid.body import Body
 from softlub.solid.increments import Stepping
-from softlub.solid.materials.viscoelastic import Viscoelastic
+from softlub.solid.materials.viscoelastic import at_rest
 from softlub.solid.mesh import BodyMesh
 from softlub.solid.plate_laws import HardContact, NormalLaw, PressureClearance
 from softlub.solid.shapes.density import MeshDensity
 from softlub.solid.steps import InContact, Loading, Sliding, Step
 from softlub.stages.tabulated import read_law
-from softlub.study import parts
+from softlub.study import kinds
 from softlub.surfaces.spectrum import SelfAffine
 
 Block = Mapping[str, Any]
@@ -29,12 +29,7 @@ LAWS: dict[str, Any] = {"persson": PerssonLaw, "exponential": ExponentialLaw}
 
 def make_material(block: Block) -> Any:
     """The material of a canonical block."""
-    return parts.built(parts.MATERIALS, block)
-
-
-def at_rest(material: Any) -> Any:
-    """The material without its memory."""
-    return material.at_rest if isinstance(material, Viscoelastic) else material
+    return kinds.built(kinds.MATERIALS, block)
 
 
 def make_mesh(body: Block, files: Sequence[Path] = ()) -> BodyMesh:
@@ -51,10 +46,10 @@ def make_mesh(body: Block, files: Sequence[Path] = ()) -> BodyMesh:
     -------
     BodyMesh
     """
-    shape = {name: value for name, value in body["shape"].items() if name != "sha256"}
+    shape = dict(body["shape"])
     if files:
         shape["file"] = str(files[0])
-    mesh: BodyMesh = parts.built(parts.MESHED_SHAPES, shape).mesh(MeshDensity(**body["mesh"]))
+    mesh: BodyMesh = kinds.built(kinds.MESHED_SHAPES, shape).mesh(MeshDensity(**body["mesh"]))
     return mesh
 
 

@@ -31,6 +31,7 @@ import xarray as xr
 
 from softlub.datasets import store
 from softlub.references.half_plane import surface_displacement
+from softlub.solid.materials.viscoelastic import at_rest
 from softlub.solid.reduced_stiffness import ReducedStiffness
 from softlub.stages import solid_bodies, solid_tables
 from softlub.stages.surface_study import swept
@@ -82,8 +83,8 @@ def _one(spec: Spec, index: int, state: xr.Dataset, stiffness: xr.Dataset | None
     dataset = dataset.assign(solid_tables.compared(found, "method"))
     if "half_space" not in spec["compare"]:
         return dataset
-    at_rest = solid_bodies.at_rest(solid_bodies.make_material(spec["materials"][index]))
-    planes = {datum: half_plane(dataset, at_rest, datum) for datum in spec["datum"]}
+    resting = at_rest(solid_bodies.make_material(spec["materials"][index]))
+    planes = {datum: half_plane(dataset, resting, datum) for datum in spec["datum"]}
     theory = solid_tables.compared({"full": full, **planes}, "datum", "displacement_half_space")
     # Labels that begin with a word are words all; those of the planes are lengths.
     lengths = {"datum": np.array(spec["datum"], dtype=float)}
@@ -93,33 +94,9 @@ def _one(spec: Spec, index: int, state: xr.Dataset, stiffness: xr.Dataset | None
 
 
 def constrained(reduced: ReducedStiffness, penalty: float | None) -> ReducedStiffness:
-    """K_r with the contact left on: the nodes that touch the plate without load carry the law's stiffness besides.
-
-    Adding it before the condensation or afterwards is the same, since it acts on kept degrees of freedom.
-
-    Parameters
-    ----------
-    reduced : ReducedStiffness
-        At the initial state.
-    penalty : float or None
-        Of the hard contact [Pa/m].
-
-    Returns
-    -------
-    ReducedStiffness
-    """
+    """K_r with the hard contact left on where nodes touch the plate without load; its friction is left out."""
     assert penalty is not None, "checked when the study was read"
-    touching = np.flatnonzero(reduced.base_gap == 0)
-    stiffness = reduced.stiffness.copy()
-    stiffness[2 * touching + 1, 2 * touching + 1] += penalty * reduced.widths[touching]
-    return ReducedStiffness(
-        reduced.positions,
-        reduced.widths,
-        stiffness,
-        reduced.base_gap,
-        reduced.base_force,
-        reduced.base_displacement,
-    )
+    return reduced.with_contact(np.where(reduced.base_gap == 0, penalty * reduced.widths, 0.0))
 
 
 def half_plane(state: xr.Dataset, material: Any, datum: float) -> np.ndarray:

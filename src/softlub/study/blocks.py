@@ -8,16 +8,16 @@ from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from softlub.study import parts
+from softlub.study import kinds, parts
 from softlub.study.files import read_block
 from softlub.study.messages import Problem, StudyError, did_you_mean
 from softlub.study.solid_files import expanded
 
 PLACES: dict[str, tuple[str, dict[str, type], dict[str, str]]] = {
-    "body.shape": ("shapes", {**parts.SHAPES, **parts.MESHED_SHAPES}, parts.UNBUILT_SHAPES),
-    "body.material": ("materials", parts.MATERIALS, {}),
+    "body.shape": ("shapes", {**kinds.SHAPES, **kinds.MESHED_SHAPES}, parts.UNBUILT_SHAPES),
+    "body.material": ("materials", kinds.MATERIALS, {}),
     # After the material, which may be the block that holds it.
-    "body.material.hyperelastic": ("materials", parts.RATE_INDEPENDENT, {}),
+    "body.material.hyperelastic": ("materials", kinds.RATE_INDEPENDENT, {}),
     "surface": ("surfaces", parts.SURFACES, {}),
     "line": ("surfaces", parts.LINES, {}),
     "lubricant": ("lubricants", {}, {}),

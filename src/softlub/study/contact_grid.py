@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import ConfigDict, Field, model_validator
 
-from softlub.study import parts
+from softlub.study import kinds, parts
 from softlub.study.base import StudyModel
 from softlub.study.fields import Quantity, Tagged
 from softlub.study.grid import SWEPT_SCHEMA
@@ -23,7 +23,7 @@ class ContactSolverModel(PartModel):
     @property
     def options(self) -> dict[str, Any]:
         """What tells it from others of its name, as its label says."""
-        return {name: getattr(self, name) for name in parts.field_names(self.part)} if self.part else {}
+        return {name: getattr(self, name) for name in kinds.field_names(self.part)} if self.part else {}
 
 
 ContactSolver = Annotated[

@@ -8,6 +8,7 @@ from typing import Any
 from softlub.study.accuracy import PRESETS
 from softlub.study.combinations import scenes_of
 from softlub.study.drawings import DRAWINGS
+from softlub.study.kinds import MATERIALS, built
 from softlub.study.nodes import Node, make_node
 from softlub.study.parsed import Pressures, Study
 from softlub.study.specimens import height_scale, realisation, realisations, scaled, specimen
@@ -162,10 +163,7 @@ def modulus(scene: Mapping[str, Any]) -> float | None:
     """E* of the pressed body [Pa]; None where the scene names none."""
     if scene["body"] is None:
         return None
-    from softlub.study.parts import MATERIALS
-
-    block = dict(scene["body"]["material"])
-    return float(MATERIALS[block.pop("kind")](**block).plane_strain_modulus)
+    return float(built(MATERIALS, scene["body"]["material"]).plane_strain_modulus)
 
 
 def _scaled_pressures(

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import model_validator
 
-from softlub.study import parts
+from softlub.study import kinds, parts
 from softlub.study.base import StudyModel
 from softlub.study.fields import Choice, Tagged
 from softlub.study.scene import Material, lacks_heights
@@ -49,7 +49,7 @@ class ContactScene(StudyModel):
 class RoundBody(StudyModel):
     """An elastic sphere."""
 
-    shape: Annotated[Any, Tagged("kind", parts.models_of(parts.ROUND_SHAPES))]
+    shape: Annotated[Any, Tagged("kind", parts.models_of(kinds.ROUND_SHAPES))]
     material: Material
 
 

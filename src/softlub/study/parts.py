@@ -1,11 +1,10 @@
-"""What a scene can be made of: the parameter classes beside the physics, by the word that a study file uses.
+"""What else than shapes and materials a scene can be made of, and the models that read all parts from a study file.
 
-A new material, shape, surface or law is one more line here.
+A new surface, law or solver is one more line here; shapes and materials have theirs in `softlub.study.kinds`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import MISSING, fields, is_dataclass
 from functools import cache
 from typing import Annotated, Any, ClassVar, Literal, Union, get_args, get_origin, get_type_hints
@@ -13,48 +12,17 @@ from typing import Annotated, Any, ClassVar, Literal, Union, get_args, get_origi
 from pydantic import create_model, model_validator
 
 from softlub.lubrication.film import Lubricant
-from softlub.solid.materials.linear_elastic import LinearElastic
-from softlub.solid.materials.material import RateIndependent
-from softlub.solid.materials.mooney_rivlin import MooneyRivlin
-from softlub.solid.materials.neo_hookean import NeoHookean
 from softlub.solid.materials.prony import PronySeries
-from softlub.solid.materials.viscoelastic import Viscoelastic
-from softlub.solid.materials.wlf import WilliamsLandelFerry
-from softlub.solid.materials.yeoh import Yeoh
-from softlub.solid.shapes.cylinder import Cylinder
-from softlub.solid.shapes.half_cylinder import HalfCylinder
-from softlub.solid.shapes.profile_file import ProfileFile
-from softlub.solid.shapes.rectangle import Rectangle
-from softlub.solid.shapes.sphere import Sphere
-from softlub.solid.shapes.strip import Strip
-from softlub.solid.shapes.triangle import TriangularSpecimen
 from softlub.study import options, solid_options
 from softlub.study.base import StudyModel
 from softlub.study.fields import Choice, Quantity, Single, Tagged, Text
+from softlub.study.kinds import ALTERNATIVES, field_names
 from softlub.study.ranges import Series
 from softlub.surfaces.measurement import Measured, MeasuredLine
 from softlub.surfaces.spectrum import Smooth
 from softlub.surfaces.synthetic import Synthetic, SyntheticLine
 from softlub.units import Unit
 
-SHAPES: dict[str, type] = {"cylinder": Cylinder}
-ROUND_SHAPES: dict[str, type] = {"sphere": Sphere}
-MESHED_SHAPES: dict[str, type] = {
-    "triangle": TriangularSpecimen,
-    "half_cylinder": HalfCylinder,
-    "rectangle": Rectangle,
-    "strip": Strip,
-    "profile": ProfileFile,
-}
-ROUND_TIPS = ("triangle", "half_cylinder", "profile")
-"""Those of them that a film builds up under."""
-RATE_INDEPENDENT: dict[str, type] = {
-    "linear_elastic": LinearElastic,
-    "neo_hookean": NeoHookean,
-    "mooney_rivlin": MooneyRivlin,
-    "yeoh": Yeoh,
-}
-MATERIALS: dict[str, type] = {**RATE_INDEPENDENT, "viscoelastic": Viscoelastic}
 SURFACES: dict[str, type] = {"self_affine": Synthetic, "measured": Measured, "smooth": Smooth}
 LINES: dict[str, type] = {"self_affine_line": SyntheticLine, "measured_line": MeasuredLine}
 LAWS: dict[str, type] = {
@@ -78,16 +46,12 @@ SOLVERS: dict[str, type] = {
 LUBRICANT: type = Lubricant
 MESH: type = solid_options.MeshOptions
 STEPS: type = solid_options.StepOptions
-TIME_TEMPERATURE: type = WilliamsLandelFerry
 
 PLATE_LAWS: dict[str, type] = {
     "hard": solid_options.HardContactOptions,
     **{word: part for word, part in LAWS.items() if word != "none"},
 }
 """What a finite-element body meets: a smooth plate, or the asperity law of a rough one."""
-ALTERNATIVES: dict[type, dict[str, type]] = {RateIndependent: RATE_INDEPENDENT}
-"""Parts of a part that are one of several: a viscoelastic material's material at rest."""
-
 FILES: dict[type, tuple[str, ...]] = {PronySeries: ("file", "dmta")}
 """Keys by which a part's numbers may be a CSV file's (softlub.study.solid_files)."""
 
@@ -165,29 +129,6 @@ def model_of(part: type, tag: str = "", word: str = "", base: type[PartModel] = 
 def models_of(parts: dict[str, type], tag: str = "kind") -> dict[str, Any]:
     """Models of the alternatives for one place of a scene, by their word."""
     return {word: model_of(part, tag, word) for word, part in parts.items()}
-
-
-def built(kinds: Mapping[str, type], block: Mapping[str, Any]) -> Any:
-    """The part that a canonical block stands for.
-
-    Parameters
-    ----------
-    kinds : mapping
-        Word -> parameter class, such as `MATERIALS`.
-    block : mapping
-        With the word under ``kind``, in SI.
-
-    Returns
-    -------
-    Any
-        An instance of the class.
-    """
-    return model_of(kinds[block["kind"]], "kind", block["kind"]).model_validate(dict(block)).build()
-
-
-def field_names(part: type) -> list[str]:
-    """Names of a parameter class's fields."""
-    return [field.name for field in fields(part)]
 
 
 def field_type(hint: Any) -> Any:

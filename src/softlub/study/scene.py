@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from softlub.solid.elements import ELEMENTS
-from softlub.study import parts
+from softlub.study import kinds, parts
 from softlub.study.base import StudyModel
 from softlub.study.fields import Choice, Quantity, Single, Tagged
 from softlub.study.shear_strength import DEFAULT_SHEAR_STRENGTH, ShearStrength
@@ -17,7 +17,7 @@ Shape = Annotated[
     Any,
     Tagged(
         "kind",
-        parts.models_of({**parts.SHAPES, **parts.MESHED_SHAPES}),
+        parts.models_of({**kinds.SHAPES, **kinds.MESHED_SHAPES}),
         unbuilt=parts.UNBUILT_SHAPES,
         bare="name of a block in config/shapes",
     ),
@@ -26,7 +26,7 @@ Material = Annotated[
     Any,
     Tagged(
         "kind",
-        parts.models_of(parts.MATERIALS),
+        parts.models_of(kinds.MATERIALS),
         default="linear_elastic",
         bare="name of a block in config/materials",
     ),
@@ -85,19 +85,19 @@ class Body(StudyModel):
     @model_validator(mode="after")
     def _stiffness_fits_shape(self) -> Body:
         kind = self.shape.kind
-        if self.stiffness == "half_space" and kind not in parts.SHAPES:
+        if self.stiffness == "half_space" and kind not in kinds.SHAPES:
             raise ValueError(
-                f"stiffness half_space knows the shapes {', '.join(parts.SHAPES)}, and shape is {kind}; "
+                f"stiffness half_space knows the shapes {', '.join(kinds.SHAPES)}, and shape is {kind}; "
                 "take stiffness: initial"
             )
-        if self.stiffness != "half_space" and kind in parts.SHAPES:
+        if self.stiffness != "half_space" and kind in kinds.SHAPES:
             raise ValueError(
                 f"stiffness {self.stiffness} needs a shape of finite elements, and shape is {kind}; "
-                f"allowed: {', '.join(parts.MESHED_SHAPES)}"
+                f"allowed: {', '.join(kinds.MESHED_SHAPES)}"
             )
-        if self.stiffness != "half_space" and kind not in parts.ROUND_TIPS:
+        if self.stiffness != "half_space" and kind not in kinds.ROUND_TIPS:
             raise ValueError(
-                f"shape {kind} is flat, and no film builds up under it; allowed: {', '.join(parts.ROUND_TIPS)}"
+                f"shape {kind} is flat, and no film builds up under it; allowed: {', '.join(kinds.ROUND_TIPS)}"
             )
         for name in ("element", "mesh"):
             if self.stiffness == "half_space" and getattr(self, name) is not None:

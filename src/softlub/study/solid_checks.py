@@ -9,7 +9,7 @@ from typing import Any
 
 from softlub.solid.materials.moduli import material_at_frequency
 from softlub.solid.shapes.density import MeshDensity
-from softlub.study import parts
+from softlub.study import kinds
 from softlub.study.combinations import scenes_of
 from softlub.study.contact_checks import tabulated_problems
 from softlub.study.messages import Problem
@@ -58,7 +58,7 @@ def _mesh_problems(shape: Mapping[str, Any], mesh: Mapping[str, Any]) -> Iterato
 def _complaint(shape: str, mesh: str) -> str:
     """What is wrong with a mesh; empty where it can be used. A run reads its studies twice, the mesh is made once."""
     try:
-        parts.built(parts.MESHED_SHAPES, json.loads(shape)).mesh(MeshDensity(**json.loads(mesh)))
+        kinds.built(kinds.MESHED_SHAPES, json.loads(shape)).mesh(MeshDensity(**json.loads(mesh)))
     except ValueError as error:
         return str(error)
     return ""
@@ -69,7 +69,7 @@ def _temperature_problems(study: Study) -> Iterator[Problem]:
         shift = scene.get("time_temperature") or {}
         for temperature in study.solid.get("temperature", ()):
             try:
-                parts.TIME_TEMPERATURE(**shift).shift_factor(temperature)
+                kinds.TIME_TEMPERATURE(**shift).shift_factor(temperature)
             except ValueError as error:
                 yield Problem("grid.temperature", str(error), f"{temperature:g}")
 
@@ -78,7 +78,7 @@ def _frequency_problems(study: Study) -> Iterator[Problem]:
     """Frequencies at which a stiffness is asked for and a linear elastic material would stiffen beyond its volume."""
     for frequency in study.solid.get("stiffness_frequency", ()):
         for scene in scenes_of(study):
-            material = parts.built(parts.MATERIALS, scene["body"]["material"])
+            material = kinds.built(kinds.MATERIALS, scene["body"]["material"])
             try:
                 material_at_frequency(material, frequency)
             except ValueError as error:

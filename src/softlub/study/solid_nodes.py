@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from softlub.study import parts
+from softlub.study import kinds, parts
 from softlub.study.accuracy import PRESETS
 from softlub.study.contact_planning import law_node
 from softlub.study.nodes import Node, make_node
@@ -78,7 +78,7 @@ def at_rest(material: Mapping[str, Any]) -> dict[str, Any]:
 
 def equivalent(material: Mapping[str, Any], coefficient: float) -> dict[str, Any]:
     """The hyperelastic material of a coefficient (equations 5-17 and 5-18)."""
-    rest = parts.built(parts.MATERIALS, material).at_rest.scaled(coefficient)
+    rest = kinds.built(kinds.MATERIALS, material).at_rest.scaled(coefficient)
     # Rounded, so that a coefficient of 1 is the material itself on every machine.
     return {"kind": "neo_hookean", "c10": rounded(rest.c10, 12), "d1": rounded(rest.d1, 12)}
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from softlub.solid.elements import ELEMENTS
-from softlub.study import parts
+from softlub.study import kinds, parts
 from softlub.study.base import StudyModel
 from softlub.study.fields import Choice, Quantity, Single, Tagged
 from softlub.study.scene import DEFAULT_LAWS, MESH, Material, Mesh, Surface, lacks_heights
@@ -17,7 +17,7 @@ MeshedShape = Annotated[
     Any,
     Tagged(
         "kind",
-        parts.models_of(parts.MESHED_SHAPES),
+        parts.models_of(kinds.MESHED_SHAPES),
         unbuilt=parts.UNBUILT_SHAPES,
         bare="name of a block in config/shapes",
     ),
@@ -27,7 +27,7 @@ PlateLaw = Annotated[
 ]
 STEPS = parts.model_of(parts.STEPS)
 Steps = Annotated[Any, Single(STEPS, bare="block itself")]
-TimeTemperature = Annotated[Any, Single(parts.model_of(parts.TIME_TEMPERATURE), bare="block itself")]
+TimeTemperature = Annotated[Any, Single(parts.model_of(kinds.TIME_TEMPERATURE), bare="block itself")]
 
 
 class MeshedBody(StudyModel):

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from softlub.study import parts
+from softlub.study import kinds, parts
 from softlub.study.accuracy import Accuracy
 from softlub.study.fields import Quantity, Tagged
 from softlub.study.parts import PartModel
@@ -37,7 +37,7 @@ class SolverModel(PartModel):
     @property
     def options(self) -> dict[str, Any]:
         """What tells it from others of its name, as its label says."""
-        own = {name: getattr(self, name) for name in parts.field_names(self.part)} if self.part else {}
+        own = {name: getattr(self, name) for name in kinds.field_names(self.part)} if self.part else {}
         return {
             name: value
             for name, value in {**own, "half_domain": self.half_domain}.items()
@@ -68,7 +68,7 @@ def settings(solver: Any, accuracy: Accuracy) -> dict[str, Any]:
     -------
     dict
     """
-    given = {name: getattr(solver, name) for name in parts.field_names(parts.SOLVERS[solver.name])}
+    given = {name: getattr(solver, name) for name in kinds.field_names(parts.SOLVERS[solver.name])}
     order = given.get("order") or accuracy.spectral_order
     if solver.name == "spectral":
         return {"name": "spectral", "order": order}

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from softlub.study.accuracy import Accuracy
+from softlub.study.kinds import field_names
 from softlub.study.measured_files import MeasuredFile
-from softlub.study.parts import field_names
 from softlub.surfaces.spectrum import SelfAffine
 
 Surface = Mapping[str, Any]

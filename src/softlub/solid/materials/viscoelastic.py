@@ -76,3 +76,8 @@ class Viscoelastic:
         from softlub.solid.materials.viscoelastic_response import ViscoelasticResponse
 
         return ViscoelasticResponse(self.at_rest.element_material(), self.prony)
+
+
+def at_rest(material: RateIndependent | Viscoelastic) -> RateIndependent:
+    """The material without its memory: itself where it has none."""
+    return material.at_rest if isinstance(material, Viscoelastic) else material
