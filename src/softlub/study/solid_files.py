@@ -6,11 +6,14 @@ So what is in a file is part of the key of whatever is made of it, and a wrong f
 from __future__ import annotations
 
 import copy
+import math
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from softlub.study.kinds import RATE_INDEPENDENT
 from softlub.study.messages import Problem, shown
+from softlub.study.parts import model_of
 from softlub.study.paths import get
 
 FIT_DIGITS = 6
@@ -43,7 +46,7 @@ def expanded(scene: Any, folders: Mapping[str, Sequence[Path]]) -> tuple[Any, li
             continue
         others = {name: value for name, value in block.items() if name != key}
         try:
-            numbers = read(_found(block[key], folders[folder]))
+            numbers = read(_found(block[key], folders[folder]), _at(scene, place.rpartition(".")[0]))
             if twice := [name for name in numbers if name in others]:
                 raise ValueError(f"stands beside {', '.join(twice)}, which the file holds; keep one of them")
         except (ValueError, OSError) as error:
@@ -72,18 +75,18 @@ def _found(written: Any, folders: Sequence[Path]) -> Path:
     raise ValueError(f"no such file in {' or '.join(str(folder) for folder in folders)}")
 
 
-def _prony(path: Path) -> Block:
+def _prony(path: Path, material: Block) -> Block:
     from softlub.solid.materials.prony_file import read_prony
 
     series = read_prony(path)
     return {"times": list(series.times), "terms": list(series.terms), "normalised": series.normalised}
 
 
-def _dmta(path: Path) -> Block:
-    """The series that fits measured moduli best."""
+def _dmta(path: Path, material: Block) -> Block:
+    """The series that fits measured moduli best, with the volume as stiff as that of the material at rest."""
     from softlub.solid.materials.dmta import fit_prony, read_dmta
 
-    series = fit_prony(read_dmta(path)).series
+    series = fit_prony(read_dmta(path), _bulk_modulus(material)).series
     return {
         "times": [float(f"{time:.{FIT_DIGITS}g}") for time in series.times],
         "terms": [float(f"{term:.{FIT_DIGITS}g}") for term in series.terms],
@@ -91,7 +94,17 @@ def _dmta(path: Path) -> Block:
     }
 
 
-PLACES: tuple[tuple[str, str, str, Callable[[Path], Block]], ...] = (
+def _bulk_modulus(material: Block) -> float:
+    """K of a raw material at rest [Pa]; infinite where it is none, which is refused when the scene is checked."""
+    rest: Any = material.get("hyperelastic")
+    try:
+        made = model_of(RATE_INDEPENDENT[rest["kind"]], "kind", rest["kind"]).model_validate(rest).build()
+    except (KeyError, TypeError, ValueError):
+        return math.inf
+    return float(made.bulk_modulus)
+
+
+PLACES: tuple[tuple[str, str, str, Callable[[Path, Block], Block]], ...] = (
     ("body.material.prony", "materials", "file", _prony),
     ("body.material.prony", "materials", "dmta", _dmta),
 )
