@@ -108,9 +108,9 @@ def test_refuses_what_has_no_equivalent():
         final_shape(stopped)
 
 
-def slid(material, duration):
+def slid(material, duration, start=()):
     mesh = TriangularSpecimen().mesh(MeshDensity(edge_nodes=65, rows=6, flank_columns=8))
-    steps = [InContact(2e-6, duration), Loading(17.0, duration), Sliding(0.4, duration)]
+    steps = [InContact(2e-6, duration), Loading(17.0, duration), *start, Sliding(0.4, duration)]
     return final_shape(run(Body(mesh, material), PlateContact(), steps))
 
 
@@ -131,3 +131,13 @@ def test_a_viscoelastic_body_is_the_stiffer_the_faster():
     assert coefficients[0] == pytest.approx(1.0, abs=2e-3)
     assert 1.1 < coefficients[1] < 1.9
     assert coefficients[2] == pytest.approx(2.0, abs=2e-2)
+
+
+def test_friction_that_starts_at_once_relaxes_longer_than_one_that_grows():
+    """How it starts is no part of the source's account, and decides the coefficient of short steps."""
+    viscoelastic = Viscoelastic(MATERIAL, PronySeries((1e-3,), (1.0,), "long_term"))
+    grown, at_once = (
+        fit_coefficient(slid(viscoelastic, 1e-3, start), lambda a: slid(MATERIAL.scaled(a), 1.0)).coefficient
+        for start in ((), (Sliding(0.4, 0.0),))
+    )
+    assert at_once < 0.97 * grown

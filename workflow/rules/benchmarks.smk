@@ -12,6 +12,8 @@ BENCHMARKS = [
     "condensation",
     "specimen_meshes",
     "specimen_stability",
+    "meshed_film",
+    "contact_scaling",
 ]
 STRESS_CHUNKS = range(8)
 BENCHMARK_CODE = str(ROOT / "benchmarks" / "{name}.py")

@@ -12,7 +12,7 @@ from softlub.datasets.variables import VARIABLES
 FloatArray = NDArray[np.float64]
 
 PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
-PREFIXED_UNITS = ("m", "Pa", "s", "N")
+PREFIXED_UNITS = ("m", "Pa", "s", "N", "B")
 """Units that read better with a prefix; products of units keep powers of ten."""
 
 SYMBOLS = {
