@@ -19,7 +19,7 @@ from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.auto import Auto
 from softlub.lubrication.solvers.finite_volume import FiniteVolume
 from softlub.lubrication.solvers.spectral import Spectral
-from softlub.lubrication.speed_sweep import ESTIMATED, Solver, sweep_arrays
+from softlub.lubrication.speed_sweep import ESTIMATED, Corrector, Solver, sweep_arrays
 
 FAMILIES = 250
 CONTINUED, COLD, STARTED = 4, 4, 2
@@ -85,17 +85,17 @@ def _family(generator: np.random.Generator, checked: int) -> list[Row]:
     if start is None:
         return rows
     for position in range(CONTINUED + COLD, CONTINUED + COLD + STARTED):
-        solver, finer = (FromStart(one, start) for one in (Auto(), Auto().refined()))
+        solver, finer = FromStart(Auto(), start), Auto().refined()
         chosen = slice(position, position + 1)
         rows += _points("started", swept, speeds[chosen], Recording(solver), finer, checks[chosen])
     if checked == 0:
-        solver, finer = (FromStart(one, start) for one in (FiniteVolume(), FiniteVolume().refined()))
+        solver, finer = FromStart(FiniteVolume(), start), FiniteVolume().refined()
         rows += _points("finite volumes, started", swept, speeds[-1:], Recording(solver), finer, [True])
     return rows
 
 
 def _points(
-    kind: str, scene: Scene, speeds: np.ndarray, solver: Recording, finer: Solver, checked: Sequence[bool]
+    kind: str, scene: Scene, speeds: np.ndarray, solver: Recording, finer: Corrector, checked: Sequence[bool]
 ) -> list[Row]:
     """Rows of one scene at some speeds."""
     problem = scene.problem()

@@ -125,6 +125,21 @@ def test_a_start_of_another_grid_saves_the_march() -> None:
     assert started.iterations <= 8
 
 
+def test_contacts_are_corrected_at_their_own_speeds_on_this_grid() -> None:
+    speeds = [0.1, 1e-3, 10.0]
+    coarse = FiniteVolume(129).sweep(PROBLEM, speeds)
+    failed = replace(coarse[1], converged=False)
+    astray = replace(coarse[2], fluid_pressure=1e6 * coarse[0].fluid_pressure, separation_central=-1.0)
+    first, second, third = FiniteVolume(257).correct(PROBLEM, [coarse[0], failed, astray])
+    swept = FiniteVolume(257).sweep(PROBLEM, speeds)
+    alone = FiniteVolume(257).solve(PROBLEM.at(speed=10.0))
+    assert second is failed
+    for found, expected in ((first, swept[0]), (third, alone)):
+        assert found.converged
+        assert found.speed == expected.speed
+        assert found.separation == pytest.approx(expected.separation, rel=1e-8)
+
+
 def test_impossible_speeds_are_refused() -> None:
     with pytest.raises(ValueError, match="positive"):
         FiniteVolume(129).sweep(PROBLEM, [0.1, -1.0])

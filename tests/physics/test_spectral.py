@@ -181,6 +181,36 @@ def test_the_refined_solver_estimates_the_error(reference):
     assert Spectral(5).refined() == Spectral(7)
 
 
+def test_another_order_on_the_same_elements_is_the_sweep_of_that_order(reference):
+    """Both are off by the errors of order 8, which are far below the change that the correction makes."""
+    coarse = curve(6)
+    corrected = Spectral(8).correct(PROBLEM, coarse[2])
+    assert all(contact.converged for contact in corrected)
+    assert max(contact.iterations for contact in corrected) <= 6
+    found = np.array([total_friction(contact) for contact in corrected])
+    error = np.abs(found - reference[0])
+    assert error.max() < 0.2 * np.abs(coarse[0] - reference[0]).max()
+    np.testing.assert_allclose(found, curve(8)[0], atol=error.max())
+
+
+def test_a_correction_at_its_own_order_changes_nothing(default):
+    for before, after in zip(default[2], Spectral(8).correct(PROBLEM, default[2]), strict=True):
+        assert after.converged
+        assert after.speed == before.speed
+        assert after.separation_min == pytest.approx(before.separation_min, rel=1e-6)
+        assert total_friction(after) == pytest.approx(total_friction(before), abs=1e-8)
+
+
+def test_a_start_that_leads_nowhere_is_swept_and_a_failed_one_left_alone(default):
+    good = default[2][20]
+    astray = replace(good, rigid_approach=-good.rigid_approach - 1e-4)
+    failed = replace(good, converged=False)
+    swept, kept = Spectral(10).correct(PROBLEM, [astray, failed])
+    assert swept.converged
+    assert swept.separation_min == pytest.approx(good.separation_min, rel=1e-4)
+    assert kept is failed
+
+
 def test_what_it_cannot_solve_is_refused():
     conserving = replace(PROBLEM, lubricant=Lubricant(viscosity=0.1, cavitation="mass_conserving"))
     with pytest.raises(ValueError, match="mass_conserving"):

@@ -67,6 +67,10 @@ class Returning:
         self.asked.append((problem.load, list(speeds)))
         return list(self.contacts)
 
+    def correct(self, problem, contacts):
+        self.asked.append((problem.load, [contact.speed for contact in contacts]))
+        return list(self.contacts)
+
     def solve(self, problem, start=None):
         self.asked.append((problem.load, [problem.speed]))
         return self.contacts[0]

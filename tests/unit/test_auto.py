@@ -92,6 +92,30 @@ def test_both_solvers_are_refined():
     assert finer.finite_volume.nodes == 257
 
 
+def test_each_contact_is_corrected_by_the_solver_that_found_it():
+    first = Returning(contact(solver="spectral", iterations=1))
+    second = Returning(contact(iterations=2), contact(iterations=3))
+    asked = [
+        contact(solver=name, speed=speed)
+        for name, speed in (("finite_volume", 1.0), ("spectral", 2.0), ("finite_volume", 3.0))
+    ]
+    corrected = Auto(spectral=first, finite_volume=second).correct(problem(), asked)
+    assert first.asked == [(100.0, [2.0])]
+    assert second.asked == [(100.0, [1.0, 3.0])]
+    assert [one.iterations for one in corrected] == [2, 1, 3]
+
+
+def test_corrections_estimate_the_errors_of_both_solvers():
+    auto = Auto(spectral=UNREACHABLE, finite_volume=FiniteVolume(nodes=129))
+    mixed = [Auto().solve(ROUGH.at(speed=1e-3)), auto.solve(ROUGH.at(speed=0.1))]
+    exact = Spectral(12).sweep(ROUGH, [1e-3, 0.1])
+    for before, after, true in zip(mixed, Auto().refined().correct(ROUGH, mixed), exact, strict=True):
+        assert after.converged
+        assert after.solver == before.solver
+        estimate = abs(after.separation_min - before.separation_min)
+        assert estimate == pytest.approx(abs(true.separation_min - before.separation_min), rel=0.5)
+
+
 def test_mistakes_are_raised_not_repaired():
     with pytest.raises(ValueError, match="speeds must be positive"):
         Auto().sweep(ROUGH, [0.1, -1.0])

@@ -19,9 +19,10 @@ PROBLEM = Problem(
 )
 
 for solver in (*map(make_solver, SOLVERS), make_solver("mehl", reynolds_sweep="newton_raphson")):
-    for one in (solver, finer(solver)):
-        if one is not None:
-            one.sweep(PROBLEM, [0.1])
+    contacts = solver.sweep(PROBLEM, [0.1])
+    corrector = finer(solver)
+    if corrector is not None:
+        corrector.correct(PROBLEM, contacts)
 
 rough = synthesize(SelfAffine(rms_roughness=1e-6, hurst=0.8, rolloff=2e5, cutoff=2e6), 64e-6, 64, seed=1)
 contact_sweep(rough, MODULUS, [0.01 * MODULUS, 0.1 * MODULUS])

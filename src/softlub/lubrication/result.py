@@ -41,6 +41,8 @@ class LubricatedContact:
         Largest scaled residual of the last iterate.
     load_error : float
         |∫(p_f + p_s) dx - W| / W.
+    breaks : range
+        Indices of the nodes where spectral elements end; empty for other solvers.
     seconds : float
         CPU time spent on this point alone, NaN where a solver treats its speeds together [s].
     residual_history : tuple of float
@@ -66,5 +68,6 @@ class LubricatedContact:
     residual: float
     load_error: float
     solver: str
+    breaks: range = range(0)
     seconds: float = float("nan")
     residual_history: tuple[float, ...] = field(default=(), repr=False)

@@ -44,12 +44,20 @@ class Solver(Protocol):
         ...
 
 
+class Corrector(Protocol):
+    """What solves again, on a grid of its own, what another grid's solutions begin."""
+
+    def correct(self, problem: Problem, contacts: Sequence[LubricatedContact]) -> list[LubricatedContact]:
+        """One result a contact, at its speed; what is not converged as it is."""
+        ...
+
+
 def sweep(
     problem: Problem,
     loads: Sequence[float],
     speeds: Sequence[float],
     solver: Solver,
-    finer: Solver | None = None,
+    finer: Corrector | None = None,
     fields: bool = False,
 ) -> xr.Dataset:
     """Solve at every load and speed.
@@ -63,7 +71,7 @@ def sweep(
     speeds : sequence of float
         v [m/s]; each load is continued along them.
     solver : Solver
-    finer : Solver, optional
+    finer : Corrector, optional
         The same solver on a finer grid; its difference is the error estimate of each point. A meshed body has no
         finer one: its film on every second node takes that part, where the number of nodes is odd, and the estimate
         is of the coarser one's error.
@@ -99,7 +107,7 @@ def sweep_arrays(
     loads: Sequence[float],
     speeds: Sequence[float],
     solver: Solver,
-    finer: Solver | None = None,
+    finer: Corrector | None = None,
     fields: bool = False,
 ) -> Arrays:
     """As `sweep`, but bare arrays of shape (loads, speeds) or (loads, speeds, nodes); NaN beyond a point's nodes."""
@@ -123,13 +131,13 @@ def _stack_padded(arrays: Sequence[np.ndarray]) -> np.ndarray:
 
 
 def _sweep_speeds(
-    problem: Problem, speeds: Sequence[float], solver: Solver, finer: Solver | None, fields: bool
+    problem: Problem, speeds: Sequence[float], solver: Solver, finer: Corrector | None, fields: bool
 ) -> Arrays:
     contacts, seconds = _timed_sweep(problem, speeds, solver)
     arrays = _observables(contacts, problem)
     arrays["solver_seconds"] = seconds
     if finer is not None:
-        _estimate_errors(arrays, problem, speeds, solver, finer)
+        _estimate_errors(arrays, problem, contacts, finer)
     if fields:
         arrays.update(_fields(contacts))
     return arrays
@@ -152,14 +160,14 @@ def _observables(contacts: Sequence[LubricatedContact], problem: Problem) -> Arr
 
 
 def _estimate_errors(
-    arrays: Arrays, problem: Problem, speeds: Sequence[float], solver: Solver, finer: Solver
+    arrays: Arrays, problem: Problem, contacts: Sequence[LubricatedContact], finer: Corrector
 ) -> None:
     """Compare with a second grid: a finer one, or the coarser one that a meshed body leaves."""
-    if not isinstance(problem.body, MeshedBody):
-        _compare(arrays, _observables(finer.sweep(problem, speeds), problem))
-    elif problem.body.can_be_halved:
-        coarser = replace(problem, body=problem.body.halved())
-        _compare(arrays, _observables(solver.sweep(coarser, speeds), coarser))
+    if isinstance(problem.body, MeshedBody):
+        if not problem.body.can_be_halved:
+            return
+        problem = replace(problem, body=problem.body.halved())
+    _compare(arrays, _observables(finer.correct(problem, contacts), problem))
 
 
 def _compare(arrays: Arrays, finer: Arrays) -> None:

@@ -3,7 +3,8 @@
 Each is a frozen dataclass of its settings with two methods: ``solve(problem, start=None)`` returns a
 `LubricatedContact`,
 ``sweep(problem, speeds)`` a list of them, continued along speed. Those that can estimate their error have a third,
-``refined()``: the same solver on a finer grid.
+``refined()``: the same solver on a finer grid, whose ``correct(problem, contacts)`` solves the points of given contacts
+there, each begun from the contact.
 """
 
 from __future__ import annotations

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import compress
 
 from softlub.lubrication.meshed_body import MeshedBody
 from softlub.lubrication.problem import Problem
@@ -68,6 +69,26 @@ class Auto:
             for i, repair in zip(unsolved, repairs, strict=True):
                 contacts[i] = repair if repair.converged else contacts[i]
         return contacts
+
+    def correct(self, problem: Problem, contacts: Sequence[LubricatedContact]) -> list[LubricatedContact]:
+        """Solve the points of given contacts on these grids, each by the solver that found it.
+
+        Parameters
+        ----------
+        problem : Problem
+            That of the contacts; its own speed is not used.
+        contacts : sequence of LubricatedContact
+
+        Returns
+        -------
+        list of LubricatedContact
+            Contacts that are not converged as they are.
+        """
+        spectral = [contact.solver == "spectral" for contact in contacts]
+        by_elements = iter(self.spectral.correct(problem, list(compress(contacts, spectral))))
+        others = [contact for contact, own in zip(contacts, spectral, strict=True) if not own]
+        by_volumes = iter(self.finite_volume.correct(problem, others))
+        return [next(by_elements if own else by_volumes) for own in spectral]
 
     def refined(self) -> Auto:
         """The same on finer grids, whose difference estimates the error."""

@@ -61,12 +61,46 @@ class FiniteVolume:
             Flagged as not converged where no way led to the solution.
         """
         if start is not None:
-            level = self.level(problem, self.node_count(problem))
-            with np.errstate(all="ignore"):
-                iterate = level.correct(problem.speed_number, state_of(level, problem, start))
-            if iterate.converged:
-                return contact_fields(problem, level.contact, iterate)
+            found = self._from_start(problem, self.level(problem, self.node_count(problem)), start)
+            if found.converged:
+                return found
         return self.sweep(problem, [problem.speed])[0]
+
+    def correct(self, problem: Problem, contacts: Sequence[LubricatedContact]) -> list[LubricatedContact]:
+        """Solve the points of given contacts on this grid, each begun from the contact.
+
+        Parameters
+        ----------
+        problem : Problem
+            That of the contacts; its own speed is not used.
+        contacts : sequence of LubricatedContact
+            Of any solver and grid.
+
+        Returns
+        -------
+        list of LubricatedContact
+            Contacts that are not converged as they are; those that lead to no solution are solved by `sweep`.
+        """
+        corrected = list(contacts)
+        known = [k for k, contact in enumerate(contacts) if contact.converged]
+        if known:
+            # The grid of a sweep is that of its slowest speed.
+            slowest = problem.at(speed=min(contact.speed for contact in contacts))
+            level = self.level(slowest, self.node_count(problem))
+            for k in known:
+                corrected[k] = self._from_start(problem.at(speed=contacts[k].speed), level, contacts[k])
+        failed = [k for k in known if not corrected[k].converged]
+        if failed:
+            swept = self.sweep(problem, [contacts[k].speed for k in failed])
+            for k, contact in zip(failed, swept, strict=True):
+                corrected[k] = contact
+        return corrected
+
+    @staticmethod
+    def _from_start(problem: Problem, level: Level, start: LubricatedContact) -> LubricatedContact:
+        with np.errstate(all="ignore"):
+            iterate = level.correct(problem.speed_number, state_of(level, problem, start))
+        return contact_fields(problem, level.contact, iterate)
 
     def sweep(self, problem: Problem, speeds: Sequence[float]) -> list[LubricatedContact]:
         """Solve at every speed, continued along speed.

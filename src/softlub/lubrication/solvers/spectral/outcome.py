@@ -10,13 +10,13 @@ from numba import njit
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
 from softlub.lubrication.solvers.spectral.equations import Fields, Grid, Scene, separation
 from softlub.lubrication.solvers.spectral.grid import element_of, interpolation_weights
-from softlub.lubrication.solvers.spectral.remainder import END_POINTS, end_correction
+from softlub.lubrication.solvers.spectral.remainder import END_POINTS, end_correction, remainder_points
 from softlub.lubrication.solvers.spectral.remesh import Mesh
 from softlub.lubrication.solvers.spectral.vectors import fill, lowest
 
 # Columns of `Outcome.fields` and of `Outcome.numbers`.
 POSITION, WEIGHT, FLUID, SOLID, GAP, GRADIENT = range(6)
-COUNT, APPROACH, GAP_MIN, GAP_CENTRAL, RUPTURE, STEPS, RESIDUAL, LOAD_ERROR, FLUID_MIN = range(9)
+COUNT, ELEMENTS, APPROACH, GAP_MIN, GAP_CENTRAL, RUPTURE, STEPS, RESIDUAL, LOAD_ERROR, FLUID_MIN = range(10)
 
 
 class Outcome(NamedTuple):
@@ -26,12 +26,18 @@ class Outcome(NamedTuple):
     ----------
     fields : ndarray, shape (6, speeds, points)
         X, weight, p_f, p_s, H, dp_f/dX; only the first `numbers[:, COUNT]` points of a row are filled.
-    numbers : ndarray, shape (speeds, 9)
-        Scalars of each point; NaN where the march did not arrive.
+    numbers : ndarray, shape (speeds, 10)
+        Scalars of each point; NaN where no solution was reached.
     """
 
     fields: FloatArray
     numbers: FloatArray
+
+
+def make_outcome(speeds: int, elements: int, order: int) -> Outcome:
+    """Room for so many speeds on so many elements each."""
+    points = elements * order + 1 + remainder_points(order) + END_POINTS
+    return Outcome(np.zeros((6, speeds, points)), np.full((speeds, 10), np.nan))
 
 
 @njit(cache=True)
@@ -101,6 +107,7 @@ def record(
     stop = _write_remainder(out, state, mesh, length)
     numbers = outcome.numbers[row]
     numbers[COUNT] = stop
+    numbers[ELEMENTS] = grid.breaks.size - 1
     numbers[APPROACH] = state[n]
     numbers[GAP_MIN] = smallest_gap(fields.gap, basis)
     numbers[GAP_CENTRAL] = central_gap(stretch, grid, length, fields.gap, basis)

@@ -7,6 +7,7 @@ body's deflection is that of a line load at the centroid.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,17 @@ from softlub.lubrication.solvers.spectral.vectors import inner
 END_POINTS = 3
 _END_NODES = np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)])
 _END_WEIGHTS = np.array([5.0, 8.0, 5.0]) / 9.0
+
+
+def remainder_points(order: int) -> int:
+    """Number of Gauss points beyond elements of order p."""
+    return order + 4
+
+
+@lru_cache(maxsize=32)
+def remainder_rule(order: int) -> FloatArray:
+    """Their Gauss–Legendre nodes and weights, shape (2, points)."""
+    return np.ascontiguousarray(np.stack(np.polynomial.legendre.leggauss(remainder_points(order))))
 
 
 class Remainder(NamedTuple):

@@ -102,10 +102,24 @@ def make_mesh(
     gauss: FloatArray,
 ) -> Mesh:
     """The grid for a contact whose solid pressure lives up to `end`."""
-    speed_number = np.exp(log_speed)
     breaks, inlet = element_breaks(
-        rupture, approach, film_min, speed_number, scene.roughness, layer, -scene.half_domain, end
+        rupture, approach, film_min, np.exp(log_speed), scene.roughness, layer, -scene.half_domain, end
     )
+    return mesh_on(breaks, inlet, approach, log_speed, film_min, scene, basis, gauss)
+
+
+@njit(cache=True)
+def mesh_on(
+    breaks: FloatArray,
+    inlet: int,
+    approach: float,
+    log_speed: float,
+    film_min: float,
+    scene: Scene,
+    basis: Basis,
+    gauss: FloatArray,
+) -> Mesh:
+    """The grid on given elements, `inlet` of them left of the rupture point."""
     grid = make_grid(breaks, inlet, basis)
-    hertzian = is_hertzian(approach, film_min, speed_number, scene.roughness)
+    hertzian = is_hertzian(approach, film_min, np.exp(log_speed), scene.roughness)
     return Mesh(grid, make_remainder(grid, scene.half_domain, basis, gauss), log_speed, film_min, hertzian)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,20 +12,15 @@ from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.spectral import outcome as columns
 from softlub.lubrication.solvers.spectral.basis import FloatArray, lobatto_basis
+from softlub.lubrication.solvers.spectral.correction import elements, settle, state_of
 from softlub.lubrication.solvers.spectral.equations import Scene
 from softlub.lubrication.solvers.spectral.march import MAX_ELEMENTS, march
-from softlub.lubrication.solvers.spectral.outcome import Outcome
-from softlub.lubrication.solvers.spectral.remainder import END_POINTS
+from softlub.lubrication.solvers.spectral.outcome import Outcome, make_outcome
+from softlub.lubrication.solvers.spectral.remainder import remainder_rule
 from softlub.pressure_table import PressureTable
 
 # Solid pressure in units of p0 below which it is left out: e^-26.
 LOG_DEAD_PRESSURE = -26.0
-
-
-@lru_cache(maxsize=32)
-def gauss_rule(points: int) -> FloatArray:
-    """Gauss–Legendre nodes and weights, shape (2, points)."""
-    return np.ascontiguousarray(np.stack(np.polynomial.legendre.leggauss(points)))
 
 
 def dead_gap(first: float, step: float, coefficients: FloatArray) -> float:
@@ -109,23 +103,59 @@ class Spectral:
         wanted = np.asarray(speeds, dtype=float)
         self._check(problem, wanted)
         unique, place = np.unique(wanted, return_inverse=True)
-        hertz = problem.hertz
         scene = hertz_scene(problem)
-        points = MAX_ELEMENTS * self.order + 1 + (self.order + 4) + END_POINTS
-        outcome = Outcome(np.zeros((6, len(unique), points)), np.full((len(unique), 9), np.nan))
-        # Rounded, so that the same contact in other units takes the same path, decision by decision.
-        viscous = hertz.speed_number(1.0, 1.0) * (problem.lubricant.viscosity * unique)
+        outcome = make_outcome(len(unique), MAX_ELEMENTS, self.order)
         march(
-            np.round(np.log(viscous), 12).astype(np.float64),
+            log_speed_numbers(problem, unique),
             scene,
             lobatto_basis(self.order),
-            gauss_rule(self.order + 4),
+            remainder_rule(self.order),
             dead_gap(scene.first, scene.step, scene.coefficients),
             self.tolerance,
             outcome,
         )
         contacts = self._contacts(problem, unique, outcome)
         return [contacts[k] for k in place]
+
+    def correct(self, problem: Problem, contacts: Sequence[LubricatedContact]) -> list[LubricatedContact]:
+        """Solve the points of given contacts at this order, each begun from the contact on its own elements.
+
+        Parameters
+        ----------
+        problem : Problem
+            That of the contacts; its own speed is not used.
+        contacts : sequence of LubricatedContact
+            Of this solver at another order.
+
+        Returns
+        -------
+        list of LubricatedContact
+            Contacts that are not converged as they are; those that lead to no solution are solved by `sweep`.
+        """
+        known = [contact for contact in contacts if contact.converged]
+        speeds = np.array([contact.speed for contact in known])
+        hertz, scene = problem.hertz, hertz_scene(problem)
+        most = max((len(contact.breaks) - 1 for contact in known), default=0)
+        outcome = make_outcome(len(known), most, self.order)
+        logs = log_speed_numbers(problem, speeds)
+        for row, contact in enumerate(known):
+            settle(
+                row,
+                state_of(contact, hertz, self.order),
+                *elements(contact, hertz, scene.half_domain),
+                logs[row],
+                contact.separation_min / hertz.gap_scale,
+                scene,
+                lobatto_basis(self.order),
+                remainder_rule(self.order),
+                self.tolerance,
+                outcome,
+            )
+        corrected = iter(self._contacts(problem, speeds, outcome))
+        return [self._settled(problem, next(corrected)) if one.converged else one for one in contacts]
+
+    def _settled(self, problem: Problem, contact: LubricatedContact) -> LubricatedContact:
+        return contact if contact.converged else self.sweep(problem, [contact.speed])[0]
 
     @staticmethod
     def _check(problem: Problem, speeds: FloatArray) -> None:
@@ -137,6 +167,9 @@ class Spectral:
             )
         if not (speeds.ndim == 1 and np.all(np.isfinite(speeds)) and np.all(speeds > 0)):
             raise ValueError(f"speeds must be positive and finite, not {speeds}")
+
+    def _breaks(self, elements: float) -> range:
+        return range(0, int(elements) * self.order + 1, self.order)
 
     def _contacts(self, problem: Problem, speeds: FloatArray, outcome: Outcome) -> list[LubricatedContact]:
         """Results in SI units, as views of a few arrays."""
@@ -173,6 +206,7 @@ class Spectral:
                     separation_min=scalars[columns.GAP_MIN] * gap,
                     separation_central=scalars[columns.GAP_CENTRAL] * gap,
                     rupture=scalars[columns.RUPTURE] * half_width,
+                    breaks=self._breaks(scalars[columns.ELEMENTS]) if reached[row] else range(0),
                     converged=bool(converged[row]),
                     iterations=int(scalars[columns.STEPS]) if reached[row] else 0,
                     residual=scalars[columns.RESIDUAL],
@@ -181,6 +215,12 @@ class Spectral:
                 )
             )
         return contacts
+
+
+def log_speed_numbers(problem: Problem, speeds: FloatArray) -> FloatArray:
+    """ln λ; rounded, so that the same contact in other units takes the same path, decision by decision."""
+    numbers = problem.hertz.speed_number(1.0, 1.0) * (problem.lubricant.viscosity * speeds)
+    return np.round(np.log(numbers), 12).astype(np.float64)
 
 
 def hertz_scene(problem: Problem) -> Scene:
