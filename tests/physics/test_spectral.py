@@ -181,7 +181,7 @@ def test_the_refined_solver_estimates_the_error(reference):
     assert Spectral(5).refined() == Spectral(7)
 
 
-def test_another_order_on_the_same_elements_is_the_sweep_of_that_order(reference):
+def test_a_correction_at_another_order_is_as_good_as_the_sweep_of_that_order(reference):
     """Both are off by the errors of order 8, which are far below the change that the correction makes."""
     coarse = curve(6)
     corrected = Spectral(8).correct(PROBLEM, coarse[2])
@@ -193,8 +193,9 @@ def test_another_order_on_the_same_elements_is_the_sweep_of_that_order(reference
     np.testing.assert_allclose(found, curve(8)[0], atol=error.max())
 
 
-def test_a_correction_at_its_own_order_changes_nothing(default):
-    for before, after in zip(default[2], Spectral(8).correct(PROBLEM, default[2]), strict=True):
+def test_a_correction_at_its_own_order_changes_nothing_but_the_elements():
+    contacts = Spectral(12).sweep(PROBLEM, SPEEDS[::4])
+    for before, after in zip(contacts, Spectral(12).correct(PROBLEM, contacts), strict=True):
         assert after.converged
         assert after.speed == before.speed
         assert after.separation_min == pytest.approx(before.separation_min, rel=1e-6)
@@ -209,6 +210,12 @@ def test_a_start_that_leads_nowhere_is_swept_and_a_failed_one_left_alone(default
     assert swept.converged
     assert swept.separation_min == pytest.approx(good.separation_min, rel=1e-4)
     assert kept is failed
+
+
+def test_contacts_of_other_solvers_are_not_corrected(default):
+    other = replace(default[2][0], solver="finite_volume", breaks=range(0))
+    with pytest.raises(ValueError, match="not those of finite_volume"):
+        Spectral().correct(PROBLEM, [default[2][1], other])
 
 
 def test_what_it_cannot_solve_is_refused():

@@ -102,6 +102,31 @@ def test_random_scenes_are_solved_or_flagged_and_estimate_their_error(seed):
         assert error <= 1e-2 * truth.separation_min
 
 
+DEEP_SPECTRUM = SelfAffine(2.976e-7, 0.8, 1e4, 7.8e9)
+DEEP_MODULUS = 5.68e6 / (1 - 0.4999**2)
+DEEP = Problem(
+    HalfSpaceCylinder(0.01, DEEP_MODULUS),
+    PerssonLaw(DEEP_SPECTRUM, DEEP_MODULUS),
+    Lubricant(2.167e-3),
+    9930.0,
+    6.356e-7,
+    2.976e-7,
+)
+"""A film of half a nanometre, whose discrete equations have solutions that are no films."""
+
+
+@pytest.mark.parametrize("order", range(7, 15))
+@pytest.mark.parametrize("speed", [3e-7, 6.356e-7, 9e-7])
+def test_no_node_lifts_off_in_deep_boundary_lubrication(order, speed):
+    contact = Spectral(order).solve(DEEP.at(speed=speed))
+    assert contact.converged
+    inside = np.abs(contact.positions) < 0.9 * DEEP.hertz.half_width
+    assert contact.separation[inside].max() < 1.5 * contact.separation_min
+    truth = Spectral(16).solve(DEEP.at(speed=speed))
+    found, expected = (friction(one, DEEP.law, 2.167e-3).real_contact_width for one in (contact, truth))
+    assert found == pytest.approx(expected, rel=1e-4)
+
+
 @pytest.mark.parametrize("speed", [1e-5, 1e-2, 10.0])
 def test_a_single_cold_speed_is_solved(speed):
     contact = Spectral().solve(ROUGH.at(speed=speed))

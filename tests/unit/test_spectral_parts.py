@@ -13,6 +13,7 @@ from softlub.lubrication.solvers.spectral.grid import make_grid, transfer
 from softlub.lubrication.solvers.spectral.kernel import log_kernel
 from softlub.lubrication.solvers.spectral.linear import factorise, substitute
 from softlub.lubrication.solvers.spectral.martin import rigid_film
+from softlub.lubrication.solvers.spectral.resolution import is_film
 
 orders = st.integers(2, 14)
 
@@ -144,11 +145,23 @@ def test_moving_to_another_grid_keeps_polynomials():
     states = np.zeros((1, old.nodes.size + 2))
     states[0, : old.nodes.size] = old.nodes**5
     states[0, -2:] = 7.0, 0.8
-    moved = transfer(states, old, new, half_domain, basis)
+    moved = transfer(states, old.breaks, old.rupture, basis, new, half_domain)
     # Both grids stretch about -L to the state's rupture point; the new one was made for another.
     source = (new.nodes + half_domain) * 5.8 / 5.9 - half_domain
     np.testing.assert_allclose(moved[0, :-2], source**5, rtol=1e-10, atol=1e-10)
     np.testing.assert_array_equal(moved[0, -2:], [7.0, 0.8])
+
+
+@pytest.mark.parametrize("order", range(4, 13))
+def test_a_gap_with_a_node_lifted_off_is_no_film(order):
+    basis = lobatto_basis(order)
+    nodes = make_grid(np.array([-3.0, -1.0, 1.0, 3.0]), 3, basis).nodes
+    gap = 0.05 + 0.5 * np.maximum(np.abs(nodes) - 1.0, 0.0) ** 2
+    assert is_film(gap, basis)
+    for node in range(1, nodes.size - 1):
+        lifted = gap.copy()
+        lifted[node] *= 40
+        assert not is_film(lifted, basis)
 
 
 @pytest.mark.parametrize("half_domain", [3.2, 64.0])

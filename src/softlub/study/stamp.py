@@ -9,7 +9,7 @@ from softlub.study.nodes import digest
 from softlub.study.parsed import Study
 
 REVISIONS = {
-    "panel": 1,
+    "panel": 2,
     "study": 2,
     "figure": 2,
     "law": 2,

@@ -98,9 +98,10 @@ class FiniteVolume:
 
     @staticmethod
     def _from_start(problem: Problem, level: Level, start: LubricatedContact) -> LubricatedContact:
+        # An iteration that diverges overflows; its residual tells.
         with np.errstate(all="ignore"):
             iterate = level.correct(problem.speed_number, state_of(level, problem, start))
-        return contact_fields(problem, level.contact, iterate)
+            return contact_fields(problem, level.contact, iterate)
 
     def sweep(self, problem: Problem, speeds: Sequence[float]) -> list[LubricatedContact]:
         """Solve at every speed, continued along speed.

@@ -56,24 +56,27 @@ def element_of(position: float, breaks: FloatArray) -> int:
 
 
 @njit(cache=True)
-def transfer(states: FloatArray, old: Grid, new: Grid, half_domain: float, basis: Basis) -> FloatArray:
-    """Solutions on an old grid at the nodes of a new one, shape (count, n_new + 2).
+def transfer(
+    states: FloatArray, breaks: FloatArray, rupture: float, basis: Basis, new: Grid, half_domain: float
+) -> FloatArray:
+    """Solutions on old elements at the nodes of a new grid, shape (count, n_new + 2).
 
-    Each state stretches both grids to its own rupture point, so one interpolation serves them all. Beyond the old
-    elements the pressure is zero.
+    `breaks`, `rupture` and `basis` are those of the old elements; the new grid's order may be another. Each state
+    stretches both grids to its own rupture point, so one interpolation serves them all. Beyond the old elements the
+    pressure is zero.
     """
     order = basis.nodes.size - 1
-    n, m = old.nodes.size, new.nodes.size
+    n, m = states.shape[1] - 2, new.nodes.size
     moved = np.zeros((states.shape[0], m + 2))
-    ratio = (old.rupture + half_domain) / (new.rupture + half_domain)
+    ratio = (rupture + half_domain) / (new.rupture + half_domain)
     weights = np.empty(order + 1)
     for i in range(m):
         position = (new.nodes[i] + half_domain) * ratio - half_domain
-        if position > old.breaks[-1] * (1 + 1e-12):
+        if position > breaks[-1] * (1 + 1e-12):
             continue
-        e = element_of(position, old.breaks)
-        half = 0.5 * (old.breaks[e + 1] - old.breaks[e])
-        interpolation_weights((position - old.breaks[e]) / half - 1.0, basis, weights)
+        e = element_of(position, breaks)
+        half = 0.5 * (breaks[e + 1] - breaks[e])
+        interpolation_weights((position - breaks[e]) / half - 1.0, basis, weights)
         for k in range(states.shape[0]):
             for j in range(order + 1):
                 moved[k, i] += weights[j] * states[k, e * order + j]

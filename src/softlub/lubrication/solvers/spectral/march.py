@@ -12,6 +12,7 @@ from softlub.lubrication.solvers.spectral.grid import transfer
 from softlub.lubrication.solvers.spectral.newton import make_workspace, newton
 from softlub.lubrication.solvers.spectral.outcome import RESIDUAL, STEPS, Outcome, record, smallest_gap
 from softlub.lubrication.solvers.spectral.remesh import make_mesh, outlet_end, rupture_layer, serves
+from softlub.lubrication.solvers.spectral.resolution import is_film
 from softlub.lubrication.solvers.spectral.start import martin_start
 from softlub.lubrication.solvers.spectral.vectors import copy_into, fill, lowest
 
@@ -108,7 +109,7 @@ def leg(
             mesh = make_mesh(state[-1], state[-2], log_speed, film_min, layer, end, scene, basis, gauss)
             if mesh.grid.breaks.size > MAX_ELEMENTS:
                 return True
-            states = transfer(states, old, mesh.grid, scene.half_domain, basis)
+            states = transfer(states, old.breaks, old.rupture, basis, mesh.grid, scene.half_domain)
             fields, work = make_fields(mesh.grid.nodes.size), make_workspace(mesh.grid.nodes.size)
             state = np.empty(states.shape[1])
             predict(logs, states, min(known, use), log_speed, state)
@@ -117,7 +118,7 @@ def leg(
         count, residual = newton(
             state, speed_number, mesh.grid, scene, basis.integration, fields, work, allowed
         )
-        if not residual <= allowed * ACCEPTED:
+        if not (residual <= allowed * ACCEPTED and is_film(fields.gap, basis)):
             if known == 0:
                 return False
             if use == 1:
@@ -127,7 +128,7 @@ def leg(
             use = 1
             continue
         film_min = smallest_gap(fields.gap, basis)
-        layer = rupture_layer(fields, mesh.grid.inlet * (basis.nodes.size - 1), speed_number)
+        layer = rupture_layer(fields.gap[mesh.grid.inlet * (basis.nodes.size - 1)], speed_number, scene)
         push(logs, states, log_speed, state)
         known, use, largest = min(known + 1, HISTORY), HISTORY, min(MAX_LOG_STEP, 1.5 * largest)
         while index < targets.size and abs(log_speed - targets[index]) < 1e-12:

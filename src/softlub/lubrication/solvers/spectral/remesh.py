@@ -9,7 +9,7 @@ from numba import njit
 
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
 from softlub.lubrication.solvers.spectral.breaks import element_breaks, is_hertzian
-from softlub.lubrication.solvers.spectral.equations import Fields, Grid, Scene, separation
+from softlub.lubrication.solvers.spectral.equations import Grid, Scene, separation
 from softlub.lubrication.solvers.spectral.grid import make_grid
 from softlub.lubrication.solvers.spectral.kernel import log_kernel
 from softlub.lubrication.solvers.spectral.remainder import Remainder, make_remainder
@@ -46,9 +46,10 @@ class Mesh(NamedTuple):
 
 
 @njit(cache=True)
-def rupture_layer(fields: Fields, last: int, speed_number: float) -> float:
-    """Length |dp_s/dH| H³/λ over which asperities and flow find their balance before the rupture (node `last`)."""
-    return -fields.solid_slope[last] * fields.gap[last] ** 3 / speed_number
+def rupture_layer(gap: float, speed_number: float, scene: Scene) -> float:
+    """Length |dp_s/dH| H³/λ over which asperities and flow find their balance before the rupture, where H = `gap`."""
+    _, slope = pressure_and_slope(scene.first, scene.step, scene.coefficients, gap)
+    return -slope * gap**3 / speed_number
 
 
 @njit(cache=True)
@@ -105,21 +106,6 @@ def make_mesh(
     breaks, inlet = element_breaks(
         rupture, approach, film_min, np.exp(log_speed), scene.roughness, layer, -scene.half_domain, end
     )
-    return mesh_on(breaks, inlet, approach, log_speed, film_min, scene, basis, gauss)
-
-
-@njit(cache=True)
-def mesh_on(
-    breaks: FloatArray,
-    inlet: int,
-    approach: float,
-    log_speed: float,
-    film_min: float,
-    scene: Scene,
-    basis: Basis,
-    gauss: FloatArray,
-) -> Mesh:
-    """The grid on given elements, `inlet` of them left of the rupture point."""
     grid = make_grid(breaks, inlet, basis)
     hertzian = is_hertzian(approach, film_min, np.exp(log_speed), scene.roughness)
     return Mesh(grid, make_remainder(grid, scene.half_domain, basis, gauss), log_speed, film_min, hertzian)

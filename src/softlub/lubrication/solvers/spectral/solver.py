@@ -12,7 +12,7 @@ from softlub.lubrication.problem import Problem
 from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.spectral import outcome as columns
 from softlub.lubrication.solvers.spectral.basis import FloatArray, lobatto_basis
-from softlub.lubrication.solvers.spectral.correction import elements, settle, state_of
+from softlub.lubrication.solvers.spectral.correction import known, settle
 from softlub.lubrication.solvers.spectral.equations import Scene
 from softlub.lubrication.solvers.spectral.march import MAX_ELEMENTS, march
 from softlub.lubrication.solvers.spectral.outcome import Outcome, make_outcome
@@ -118,7 +118,7 @@ class Spectral:
         return [contacts[k] for k in place]
 
     def correct(self, problem: Problem, contacts: Sequence[LubricatedContact]) -> list[LubricatedContact]:
-        """Solve the points of given contacts at this order, each begun from the contact on its own elements.
+        """Solve the points of given contacts at this order, each begun from the contact.
 
         Parameters
         ----------
@@ -131,31 +131,35 @@ class Spectral:
         -------
         list of LubricatedContact
             Contacts that are not converged as they are; those that lead to no solution are solved by `sweep`.
+
+        Raises
+        ------
+        ValueError
+            If a contact is another solver's, whose nodes make no elements.
         """
-        known = [contact for contact in contacts if contact.converged]
-        speeds = np.array([contact.speed for contact in known])
-        hertz, scene = problem.hertz, hertz_scene(problem)
-        most = max((len(contact.breaks) - 1 for contact in known), default=0)
-        outcome = make_outcome(len(known), most, self.order)
-        logs = log_speed_numbers(problem, speeds)
-        for row, contact in enumerate(known):
-            settle(
-                row,
-                state_of(contact, hertz, self.order),
-                *elements(contact, hertz, scene.half_domain),
-                logs[row],
-                contact.separation_min / hertz.gap_scale,
-                scene,
-                lobatto_basis(self.order),
-                remainder_rule(self.order),
-                self.tolerance,
-                outcome,
-            )
+        self._check_own(contacts)
+        solved = [contact for contact in contacts if contact.converged]
+        speeds = np.array([contact.speed for contact in solved])
+        scene, hertz = hertz_scene(problem), problem.hertz
+        outcome = make_outcome(len(solved), MAX_ELEMENTS, self.order)
+        basis, rule = lobatto_basis(self.order), remainder_rule(self.order)
+        for row, log_speed in enumerate(log_speed_numbers(problem, speeds)):
+            start = known(solved[row], hertz, scene.half_domain, log_speed)
+            settle(row, start, scene, basis, rule, self.tolerance, outcome)
         corrected = iter(self._contacts(problem, speeds, outcome))
         return [self._settled(problem, next(corrected)) if one.converged else one for one in contacts]
 
     def _settled(self, problem: Problem, contact: LubricatedContact) -> LubricatedContact:
         return contact if contact.converged else self.sweep(problem, [contact.speed])[0]
+
+    @staticmethod
+    def _check_own(contacts: Sequence[LubricatedContact]) -> None:
+        others = sorted({contact.solver for contact in contacts} - {"spectral"})
+        if others:
+            raise ValueError(
+                f"the spectral solver corrects its own contacts alone, not those of {', '.join(others)}; "
+                "use the refined copy of the solver that found them"
+            )
 
     @staticmethod
     def _check(problem: Problem, speeds: FloatArray) -> None:
