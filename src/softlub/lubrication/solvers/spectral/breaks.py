@@ -87,7 +87,8 @@ def element_breaks(
         count = _film_inlet(found, rupture, scale, start)
         inlet = count - 1
         outlet, growth = scale, FILM_GROWTH
-    while found[count - 1] < end:
+    # Elements stretched by a moved rupture point may have reached beyond the domain.
+    while found[count - 1] < min(end, -start):
         found[count] = min(rupture + outlet, -start)
         outlet *= growth
         count += 1

@@ -41,7 +41,9 @@ def make_outcome(speeds: int, elements: int, order: int) -> Outcome:
 
 
 @njit(cache=True)
-def _write_remainder(out: FloatArray, state: FloatArray, mesh: Mesh, length: float) -> int:
+def _write_remainder(
+    out: FloatArray, state: FloatArray, mesh: Mesh, length: float, legendre_weights: FloatArray
+) -> int:
     """Write the film beyond the elements, where there is no pressure; return the number of points so far."""
     grid, remainder = mesh.grid, mesh.remainder
     n, far = grid.nodes.size, remainder.nodes.size
@@ -66,6 +68,7 @@ def _write_remainder(out: FloatArray, state: FloatArray, mesh: Mesh, length: flo
         state,
         grid,
         length,
+        legendre_weights,
         out[POSITION, n + far : stop],
         out[WEIGHT, n + far : stop],
         out[GAP, n + far : stop],
@@ -104,7 +107,7 @@ def record(
         out[GRADIENT, i] = speed_number * fields.flow[i] if i <= last else 0.0
         load += out[WEIGHT, i] * (out[FLUID, i] + out[SOLID, i])
         least = min(least, out[FLUID, i])
-    stop = _write_remainder(out, state, mesh, length)
+    stop = _write_remainder(out, state, mesh, length, basis.legendre_weights)
     numbers = outcome.numbers[row]
     numbers[COUNT] = stop
     numbers[ELEMENTS] = grid.breaks.size - 1

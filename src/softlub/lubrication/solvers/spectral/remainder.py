@@ -1,8 +1,7 @@
 """The film beyond the elements: no pressure there, but the separation that friction's Couette part needs.
 
 Gauss points on a logarithmic map reach from the last element to the end of the domain. They are stretched with the
-elements when the rupture point moves, so a three-point rule makes up for the small difference at the end, where the
-body's deflection is that of a line load at the centroid.
+elements when the rupture point moves, so a three-point rule makes up for the small difference at the end.
 """
 
 from __future__ import annotations
@@ -14,9 +13,8 @@ import numpy as np
 from numba import njit
 
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray
-from softlub.lubrication.solvers.spectral.equations import Grid
+from softlub.lubrication.solvers.spectral.equations import Grid, separation
 from softlub.lubrication.solvers.spectral.kernel import log_kernel
-from softlub.lubrication.solvers.spectral.vectors import inner
 
 END_POINTS = 3
 _END_NODES = np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)])
@@ -71,22 +69,19 @@ def end_correction(
     state: FloatArray,
     grid: Grid,
     half_domain: float,
+    legendre_weights: FloatArray,
     positions: FloatArray,
     weights: FloatArray,
     gap: FloatArray,
 ) -> None:
     """Fill the rule between the stretched end of the remainder and L (its weights may be negative)."""
-    n = grid.nodes.size
-    stretch = (state[n + 1] + half_domain) / (grid.rupture + half_domain)
+    stretch = (state[-1] + half_domain) / (grid.rupture + half_domain)
     reached = stretch * (max(half_domain, grid.breaks[-1]) + half_domain) - half_domain
-    total = inner(grid.weights, state[:n])
-    moment = 0.0
-    for i in range(n):
-        moment += grid.weights[i] * grid.nodes[i] * state[i]
-    centroid = stretch * (moment / total + half_domain) - half_domain
     half = 0.5 * (half_domain - reached)
+    nodes, unused = np.empty(END_POINTS), np.empty(END_POINTS)
     for i in range(END_POINTS):
         positions[i] = reached + half * (_END_NODES[i] + 1.0)
         weights[i] = half * _END_WEIGHTS[i]
-        distance = abs(positions[i] - centroid)
-        gap[i] = state[n] + 0.5 * positions[i] ** 2 - stretch * total * np.log(distance) / np.pi
+        nodes[i] = (positions[i] + half_domain) / stretch - half_domain
+    kernel = log_kernel(nodes, grid.breaks, legendre_weights)
+    separation(state, grid, half_domain, nodes, kernel, gap, unused)
