@@ -26,8 +26,12 @@ def test_study_gives_dataset_and_figure_and_reruns_only_what_changed(workspace):
     names = {path.suffix for path in workspace.made("figures/tiny/*")}
     assert names >= {".pdf", ".png", ".svg", ".csv"}
 
+    told = "tiny: All 5 points converged."
+    assert told in first.stderr
+
     unchanged = workspace.run()
     assert "Nothing to be done" in unchanged.stderr + unchanged.stdout
+    assert told not in unchanged.stderr
 
     workspace.write(shear="0.2 E")
     sheared = workspace.run("--dry-run")

@@ -17,7 +17,7 @@ import xarray as xr
 from softlub.claims.evaluate import Judgement, evaluate
 from softlub.claims.table import Claim
 from softlub.claims.verdict import Word
-from softlub.datasets.variables import FLAG_EXPLANATIONS, FLAGS
+from softlub.datasets.state import convergence, failures, flag_meanings, flagged
 
 OF_THE_SOURCE = re.compile(r"ch\d+-")
 """How the name of a study of the source begins."""
@@ -67,8 +67,8 @@ def caption(
     title = str(dataset.attrs.get("title", "")).rstrip(".")
     parts = [f"**{escape(title)}.** {escape(shows)}" if title else escape(shows)]
     parts += [
-        _state_of_points(dataset),
-        _flagged_points(dataset),
+        _state(dataset),
+        escape(" ".join(part for part in (flagged(dataset), flag_meanings(dataset)) if part)),
         _domain(dataset, bool(about)),
         _stand_ins(dataset, ours),
     ]
@@ -95,84 +95,13 @@ def _sentence(text: str) -> str:
     return text[:1].upper() + text[1:].rstrip(".") + "."
 
 
-def _state_of_points(dataset: xr.Dataset) -> str:
-    """How many of the points asked for converged, by solver where there are several."""
-    if "converged" not in dataset:
-        return ""
-    if "stop_reason" in dataset:
-        return escape(_state_of_bodies(dataset))
-    flags = dataset["flags"] if "flags" in dataset else xr.zeros_like(dataset["converged"], dtype=int)
-    asked = (flags.astype(int) & FLAGS["not_attempted"]) == 0
-    failed = asked & ~dataset["converged"].astype(bool)
-    if not bool(failed.any()):
-        return f"All {int(asked.sum())} points converged."
-    counts = f"{int(failed.sum())} of {int(asked.sum())} points did not converge"
-    if "solver" in dataset.dims:
-        each = [
-            f"{label}: {int(failed.isel(solver=i).sum())} of {int(asked.isel(solver=i).sum())}"
-            for i, label in enumerate(dataset["solver"].values)
-        ]
-        counts += f" ({'; '.join(each)})"
-    return escape(f"{counts}; crosses mark them, and curves have a gap there.")
-
-
-def _state_of_bodies(dataset: xr.Dataset) -> str:
-    """How many finite-element bodies were taken through all of their steps, and which increments were given up."""
-    done = dataset["converged"].astype(bool)
-    count, failed = done.size, int((~done).sum())
-    cut = int(dataset["rejected_increments"].sum()) if "rejected_increments" in dataset else 0
-    tried = f" {cut} increments that did not converge were tried again in smaller ones." if cut else ""
-    tried += _too_wide(dataset)
-    if not failed:
-        who = "The body" if count == 1 else f"All {count} bodies"
-        return f"{who} got to the end of {'its' if count == 1 else 'their'} steps.{tried}"
-    reasons = sorted(
-        {str(reason).rstrip(".") for reason in dataset["stop_reason"].values.ravel() if str(reason)}
-    )
-    whose = "its" if failed == 1 else "their"
-    return (
-        f"{failed} of {count} bodies did not get to the end of {whose} steps ({'; '.join(reasons)}); crosses mark "
-        f"them.{tried}"
-    )
-
-
-def _too_wide(dataset: xr.Dataset) -> str:
-    """In how many bodies the contact goes beyond the nodes that can touch."""
-    beyond = int((dataset["reaches_edge_end"] == 1).sum()) if "reaches_edge_end" in dataset else 0
-    if not beyond:
-        return ""
-    return (
-        f" In {beyond} of {dataset['converged'].size} bodies the contact reaches an end of the contact edge, beyond "
-        "which nothing can touch the plate: pressures and displacements there are wrong; widen the contact edge."
-    )
-
-
-def _flagged_points(dataset: xr.Dataset) -> str:
-    """How many of the converged points carry which flag, at which speeds, and what that means."""
-    if "flags" not in dataset or "converged" not in dataset:
-        return ""
-    converged = dataset["converged"].astype(bool)
-    # Converged points carry neither not_converged nor not_attempted.
-    flags = dataset["flags"].astype(int).where(converged, 0).astype(int)
-    each = {name: (flags & bit) > 0 for name, bit in FLAGS.items()}
-    raised = {name: where for name, where in each.items() if bool(where.any())}
-    if not raised:
-        return ""
-    counts = ", ".join(f"{name} {int(where.sum())}{_speeds(where)}" for name, where in raised.items())
-    meanings = " ".join(f"{name}: {FLAG_EXPLANATIONS[name]}." for name in raised)
-    return escape(
-        f"{int((flags > 0).sum())} of {int(converged.sum())} converged points are flagged: {counts}. {meanings}"
-    )
-
-
-def _speeds(where: xr.DataArray) -> str:
-    """At which speeds any point is marked."""
-    if "speed" not in where.dims:
-        return ""
-    speed = where["speed"].values[where.any([name for name in where.dims if name != "speed"]).values]
-    # Through a float, since 100 reads better than 1e+02.
-    low, high = (f"{float(f'{value:.2g}'):g}" for value in (speed.min(), speed.max()))
-    return f" (v = {low} m/s)" if low == high else f" (v from {low} to {high} m/s)"
+def _state(dataset: xr.Dataset) -> str:
+    """How many points got there, and how the others are drawn."""
+    if not failures(dataset):
+        return escape(convergence(dataset))
+    marks = "Crosses mark those that failed"
+    gaps = "." if "stop_reason" in dataset else ", and curves have a gap there."
+    return escape(f"{convergence(dataset)} {marks}{gaps}")
 
 
 def _domain(dataset: xr.Dataset, compared: bool) -> str:

@@ -11,7 +11,7 @@ from softlub.study.parsed import Study
 REVISIONS = {
     "panel": 2,
     "study": 2,
-    "figure": 2,
+    "figure": 3,
     "law": 2,
     "topography": 2,
     "state": 1,
