@@ -15,6 +15,7 @@ from softlub.figures.panel import DataFigure, Panel, new_figure, share_legend, s
 from softlub.figures.quantities import quantity
 from softlub.lubrication.speed_sweep import FRICTION_ERROR_LIMIT, SEPARATION_ERROR_LIMIT
 
+INACCURATE = sum(bit for name, bit in FLAGS.items() if name.startswith("inaccurate"))
 SMALLEST_SHOWN = 1e-14
 """Errors below this are drawn at it."""
 
@@ -24,7 +25,7 @@ def measure(parts: Sequence[xr.Dataset]) -> xr.Dataset:
     dataset = xr.concat(parts, dim="point", combine_attrs="drop")
     flags = dataset["flags"].values
     failed = (flags & FLAGS["not_converged"]) > 0
-    inaccurate = (flags & FLAGS["inaccurate"]) > 0
+    inaccurate = (flags & INACCURATE) > 0
     values = np.stack(
         [dataset[name].values for name in ("friction_coefficient", "separation_min", "error_friction")]
     )
@@ -51,6 +52,7 @@ def counts(dataset: xr.Dataset) -> dict[str, float | int | str]:
         "converged_percent": round(100 * float((~ours["failed"].values).mean()), 4),
         "by_finite_volumes": int((ours["solver"].values == "finite_volume").sum()),
         "checked": int(checked.sum()),
+        "flagged_inaccurate": int(((ours["flags"].values & INACCURATE) > 0).sum()),
         "silently_wrong": int(ours["silently_wrong"].values.sum()),
         "not_a_number_unflagged": int(ours["not_a_number_unflagged"].values.sum()),
         "largest_load_error_converged": float(ours["load_error"].values[~ours["failed"].values].max()),
@@ -113,7 +115,7 @@ def _panel(axes, dataset: xr.Dataset, name: str, symbol: str, letter: str) -> Pa
     ours = dataset.isel(point=dataset["kind"].values != KINDS[-1])
     true, estimated = (ours[f"{prefix}error_{name}"].values for prefix in ("true_", ""))
     known = np.isfinite(true) & np.isfinite(estimated)
-    flagged = (ours["flags"].values & FLAGS["inaccurate"]) > 0
+    flagged = (ours["flags"].values & INACCURATE) > 0
     for label, chosen, colour in (
         ("converged", known & ~flagged, style.BLUE),
         ("flagged inaccurate", known & flagged, style.VERMILION),

@@ -155,12 +155,24 @@ def legend_texts(figure):
     return [text.get_text() for legend in legends if legend is not None for text in legend.get_texts()]
 
 
-@pytest.mark.parametrize("flag", ["outside_half_space", "inaccurate"])
 @pytest.mark.parametrize(
-    ("name", "lines"),
-    [("stribeck", 1), ("load_share", 2), ("friction_and_separation", 2), ("parameter_study", 2)],
+    ("name", "flag", "lines"),
+    [
+        *(("stribeck", flag, 1) for flag in ("outside_half_space", "inaccurate_friction", "inaccurate_area")),
+        *(("load_share", flag, 2) for flag in ("outside_half_space", "inaccurate_area")),
+        # One of two curves is the separation, which is doubted by itself.
+        *(
+            (name, flag, lines)
+            for name in ("friction_and_separation", "parameter_study")
+            for flag, lines in (
+                ("outside_half_space", 2),
+                ("inaccurate_friction", 1),
+                ("inaccurate_separation", 1),
+            )
+        ),
+    ],
 )
-def test_doubtful_points_are_drawn_thin_and_explained(name, lines, flag):
+def test_doubtful_points_are_drawn_thin_and_explained(name, flag, lines):
     plain = stribeck(dimensions={"young_modulus": [1e7]})
     dataset = flagged(plain, flag, speed=[26, 27, 28])
     before, figure = draw(name, plain), draw(name, dataset)
@@ -171,13 +183,7 @@ def test_doubtful_points_are_drawn_thin_and_explained(name, lines, flag):
     # They begin at the last sound point, so that the curve has no gap.
     assert all(np.flatnonzero(np.isfinite(line.get_ydata())).tolist() == [25, 26, 27, 28] for line in thin)
     (text,) = (text for text in legend_texts(figure) if text.startswith("thin"))
-    assert (
-        text
-        == {
-            "outside_half_space": "thin: no half-space",
-            "inaccurate": "thin: inaccurate",
-        }[flag]
-    )
+    assert text == ("thin: no half-space" if flag == "outside_half_space" else "thin: inaccurate")
     for series, same in zip(figure.series, before.series, strict=True):
         assert np.array_equal(series.y, same.y)
 
@@ -242,8 +248,9 @@ def test_long_legends_stand_below_the_axes_and_within_the_figure(name, count, be
         assert all(box.y1 < axes.get_window_extent().y0 for axes in figure.axes)
 
 
-def test_other_flags_leave_curves_as_they_are():
-    assert not doubtful_lines(draw("stribeck", flagged(stribeck(), "domain_truncates", speed=[3])))
+@pytest.mark.parametrize("flag", ["domain_truncates", "inaccurate_separation"])
+def test_other_flags_leave_curves_as_they_are(flag):
+    assert not doubtful_lines(draw("stribeck", flagged(stribeck(), flag, speed=[3])))
 
 
 def test_flags_stand_in_the_csv_where_there_are_any():

@@ -37,10 +37,10 @@ def test_solvers_are_told_apart():
 
 
 def test_flags_are_counted_where_they_are():
-    both = FLAGS["inaccurate"] | FLAGS["percolates"]
-    dataset = points([both, FLAGS["inaccurate"], FLAGS["not_converged"]])
+    both = FLAGS["inaccurate_area"] | FLAGS["percolates"]
+    dataset = points([both, FLAGS["inaccurate_area"], FLAGS["not_converged"]])
     assert flagged(dataset) == (
-        "2 of 2 converged points are flagged: percolates 1 (v = 0.1 m/s), inaccurate 2 (v from 0.1 to 1 m/s)."
+        "2 of 2 converged points are flagged: percolates 1 (v = 0.1 m/s), inaccurate_area 2 (v from 0.1 to 1 m/s)."
     )
     assert FLAG_EXPLANATIONS["percolates"] in flag_meanings(dataset)
     assert FLAG_EXPLANATIONS["not_converged"] not in flag_meanings(dataset)

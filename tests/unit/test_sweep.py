@@ -118,20 +118,20 @@ def test_error_estimates_are_the_differences():
 def test_friction_is_inaccurate_above_its_limit(side):
     change = side * FRICTION_ERROR_LIMIT / (0.5 * 1e-5 * 2 * HALF_DOMAIN / LOAD)
     found = errors(contact(), contact(fluid_pressure_gradient=np.full(201, change)))
-    assert found["flags"] == (FLAGS["inaccurate"] if side > 1 else 0)
+    assert found["flags"] == (FLAGS["inaccurate_friction"] if side > 1 else 0)
 
 
 @pytest.mark.parametrize("side", [0.9, 1.1], ids=["below", "above"])
 def test_separation_is_inaccurate_above_its_limit(side):
     found = errors(contact(separation_min=1e-5 * (1 + side * SEPARATION_ERROR_LIMIT)), contact())
-    assert found["flags"] == (FLAGS["inaccurate"] if side > 1 else 0)
+    assert found["flags"] == (FLAGS["inaccurate_separation"] if side > 1 else 0)
 
 
 @pytest.mark.parametrize("side", [0.9, 1.1], ids=["below", "above"])
 def test_real_contact_is_inaccurate_above_its_limit(side):
     coarse = contact(solid_pressure=solid(pressure=1e5 * (1 + side * WIDTH_ERROR_LIMIT)))
     found = errors(coarse, contact(solid_pressure=solid(pressure=1e5)))
-    assert found["flags"] == (FLAGS["inaccurate"] if side > 1 else 0)
+    assert found["flags"] == (FLAGS["inaccurate_area"] if side > 1 else 0)
 
 
 def test_a_trace_of_real_contact_need_not_be_accurate():
@@ -144,7 +144,7 @@ def test_a_point_whose_finer_copy_failed_is_not_vouched_for():
     found = errors(contact(), contact(converged=False))
     assert np.isnan(found["friction_coefficient_fluid_error"])
     assert np.isfinite(found["friction_coefficient_fluid"])
-    assert found["flags"] == FLAGS["inaccurate"]
+    assert found["flags"] == sum(FLAGS[f"inaccurate_{name}"] for name in ("friction", "separation", "area"))
 
 
 def test_a_failed_point_is_not_called_inaccurate_as_well():

@@ -243,7 +243,9 @@ FLAGS: dict[str, int] = {
     "law_extrapolated": 8,
     "domain_truncates": 16,
     "not_attempted": 32,
-    "inaccurate": 64,
+    "inaccurate_friction": 64,
+    "inaccurate_separation": 128,
+    "inaccurate_area": 256,
 }
 """Bits of the variable `flags` (CF convention: flag_masks and flag_meanings)."""
 
@@ -257,7 +259,9 @@ FLAG_EXPLANATIONS: dict[str, str] = {
     "domain_truncates": "the fluid still carries more than 0.001 of its largest pressure at the inlet's edge, so that "
     "a wider domain would change film and friction",
     "not_attempted": "the study does not ask this solver for this speed",
-    "inaccurate": "the estimated error exceeds 1e-3 of fluid friction (absolute), 5 % of the separation or 1 % of the "
-    "real contact width",
+    "inaccurate_friction": "the estimated error of the fluid's friction exceeds 1e-3, or could not be formed",
+    "inaccurate_separation": "the estimated error of the smallest separation exceeds 5 %, or could not be formed",
+    "inaccurate_area": "the estimated error of the real contact width, on which friction depends, exceeds 1 %, or "
+    "could not be formed",
 }
 """What each flag means for somebody who reads a figure."""

@@ -44,19 +44,28 @@ class Curve(NamedTuple):
         return self.data["flags"].values.astype(int)
 
 
-DOUBTFUL = ("outside_half_space", "inaccurate")
-"""Flags of points that converged and yet should not be relied on; their part of a curve is drawn thin and pale."""
+INACCURATE = {
+    "separation": ("inaccurate_separation",),
+    "": ("inaccurate_friction", "inaccurate_area"),
+}
+"""Which flags say that a variable is inaccurate, by how its name begins; load shares are as good as friction."""
 
 
-def doubtful(flags: np.ndarray) -> np.ndarray:
-    """Which points carry one of the flags `DOUBTFUL`."""
-    return (np.asarray(flags) & sum(FLAGS[name] for name in DOUBTFUL)) > 0
+def _doubting(variable: str) -> dict[str, str]:
+    """Flags of points that converged and whose value of a variable should yet not be relied on; and their words."""
+    names = next(names for begin, names in INACCURATE.items() if variable.startswith(begin))
+    return {"outside_half_space": "no half-space"} | dict.fromkeys(names, "inaccurate")
 
 
-def doubts(flags: np.ndarray) -> str:
-    """What the flags `DOUBTFUL` among these say, for a legend."""
-    words = {"outside_half_space": "no half-space", "inaccurate": "inaccurate"}
-    return " or ".join(words[name] for name in DOUBTFUL if (np.asarray(flags) & FLAGS[name]).any())
+def doubtful(flags: np.ndarray, variable: str) -> np.ndarray:
+    """At which points a variable should not be relied on; that part of its curve is drawn thin and pale."""
+    return (np.asarray(flags) & sum(FLAGS[name] for name in _doubting(variable))) > 0
+
+
+def doubts(flags: np.ndarray, variable: str) -> str:
+    """What these flags say against a variable, for a legend."""
+    words = [word for name, word in _doubting(variable).items() if (np.asarray(flags) & FLAGS[name]).any()]
+    return " or ".join(dict.fromkeys(words))
 
 
 def attempted(dataset: xr.Dataset) -> np.ndarray:

@@ -57,6 +57,7 @@ def draw(dataset: xr.Dataset, height: float = 2.7) -> DataFigure:
             friction.mark_failed(curve.hersey_number[curve.failed])
         colour_axis(separation, style.SEPARATION)
         left.set_ylim(bottom=0.0)
+        friction.explain_doubts_of(separation)
         place_legend(figure, friction, loc="upper center")
         return figure
 

@@ -111,11 +111,13 @@ class Panel:
         x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
         self.record(Series(self.name, style.plain(series), self.x, self.y, x, y, flags=flags))
         legend = series if label is None else label
-        in_doubt = doubtful(flags) if flags is not None else np.zeros(x.shape, dtype=bool)
+        variable = self.y.name
+        in_doubt = doubtful(flags, variable) if flags is not None else np.zeros(x.shape, dtype=bool)
         sound = np.where(in_doubt, np.nan, y)
         (line,) = self.axes.plot(self.x.shown(x), self.y.shown(sound), label=legend or "_", **look)
         if flags is not None and (in_doubt & np.isfinite(y)).any():
-            self._draw_doubtful(x, np.where(_with_neighbours(in_doubt), y, np.nan), doubts(flags), look)
+            why = doubts(flags, variable)
+            self._draw_doubtful(x, np.where(_with_neighbours(in_doubt), y, np.nan), why, look)
         if legend:
             self.handles.append(line)
         return line
@@ -123,9 +125,17 @@ class Panel:
     def _draw_doubtful(self, x: FloatArray, y: FloatArray, why: str, look: dict[str, Any]) -> None:
         """The doubtful part of a curve, up to the sound points beside it, and its entry in the legend."""
         self.axes.plot(self.x.shown(x), self.y.shown(y), label="_", **look | PALE)
-        label = f"thin: {why}"
-        if not any(handle.get_label() == label for handle in self.handles):
-            self.handles.append(Line2D([], [], color=style.BLACK, label=label, **PALE))
+        self._explain(Line2D([], [], color=style.BLACK, label=f"thin: {why}", **PALE))
+
+    def _explain(self, handle: Line2D) -> None:
+        if not any(known.get_label() == handle.get_label() for known in self.handles):
+            self.handles.append(handle)
+
+    def explain_doubts_of(self, other: Panel) -> None:
+        """Say in this panel's legend what looks doubtful in another, which has none."""
+        for handle in other.handles:
+            if handle.get_gid() == "doubtful":
+                self._explain(handle)
 
     def record(self, series: Series) -> None:
         """Keep a series with the figure; `line` does so by itself."""

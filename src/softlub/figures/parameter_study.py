@@ -37,5 +37,6 @@ def draw(dataset: xr.Dataset, height: float = 2.6) -> DataFigure:
         draw_curves(friction, dataset, "friction_coefficient")
         draw_curves(separation, dataset, "separation_min", legend=False)
         friction.axes.set_ylim(bottom=0.0)
+        friction.explain_doubts_of(separation)
         place_legend(figure, friction)
         return figure

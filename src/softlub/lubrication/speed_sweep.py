@@ -27,11 +27,11 @@ ESTIMATED = ("friction_coefficient_fluid", "separation_min", "real_contact_width
 """Observables whose error is estimated."""
 
 FRICTION_ERROR_LIMIT = 1e-3
-"""Estimated absolute error of μ_fluid above which a point is flagged `inaccurate`."""
+"""Estimated absolute error of μ_fluid above which a point is flagged `inaccurate_friction`."""
 SEPARATION_ERROR_LIMIT = 5e-2
-"""Estimated relative error of the smallest separation above which a point is flagged."""
+"""Estimated relative error of the smallest separation above which a point is flagged `inaccurate_separation`."""
 WIDTH_ERROR_LIMIT = 1e-2
-"""Estimated relative error of the real contact width above which a point is flagged …"""
+"""Estimated relative error of the real contact width above which a point is flagged `inaccurate_area` …"""
 NEGLIGIBLE_AREA = 1e-4
 """… unless its real contact area is nowhere larger than this part of the nominal one."""
 
@@ -171,24 +171,26 @@ def _estimate_errors(
 
 
 def _compare(arrays: Arrays, finer: Arrays) -> None:
-    """Add the differences to a solution on another grid, and flag the points where they are large.
+    """Add the differences to a solution on another grid, and flag what they cast doubt on where they are large.
 
     A converged point whose finer copy failed keeps NaN estimates and is flagged too: nothing vouches for it.
     """
     difference = {name: np.abs(arrays[name] - finer[name]) for name in ESTIMATED}
     # Multiplied out, so that a contact without asperities (0 <= 0) is trusted and NaN is not.
-    trusted = (
-        (difference["friction_coefficient_fluid"] <= FRICTION_ERROR_LIMIT)
-        & (difference["separation_min"] <= SEPARATION_ERROR_LIMIT * finer["separation_min"])
-        & (
-            (difference["real_contact_width"] <= WIDTH_ERROR_LIMIT * finer["real_contact_width"])
-            | (finer["contact_area_ratio_max"] < NEGLIGIBLE_AREA)
+    trusted = {
+        "inaccurate_friction": difference["friction_coefficient_fluid"] <= FRICTION_ERROR_LIMIT,
+        "inaccurate_separation": difference["separation_min"]
+        <= SEPARATION_ERROR_LIMIT * finer["separation_min"],
+        "inaccurate_area": (
+            difference["real_contact_width"] <= WIDTH_ERROR_LIMIT * finer["real_contact_width"]
         )
-    )
+        | (finer["contact_area_ratio_max"] < NEGLIGIBLE_AREA),
+    }
     arrays["friction_coefficient_fluid_error"] = difference["friction_coefficient_fluid"]
     arrays["separation_min_error"] = difference["separation_min"] / finer["separation_min"]
     arrays["real_contact_width_error"] = difference["real_contact_width"]
-    arrays["flags"] = arrays["flags"] | np.where(arrays["converged"] & ~trusted, FLAGS["inaccurate"], 0)
+    for name, good in trusted.items():
+        arrays["flags"] = arrays["flags"] | np.where(arrays["converged"] & ~good, FLAGS[name], 0)
 
 
 def _fields(contacts: Sequence[LubricatedContact]) -> Arrays:
