@@ -188,6 +188,16 @@ def test_doubtful_points_are_drawn_thin_and_explained(name, flag, lines):
         assert np.array_equal(series.y, same.y)
 
 
+@pytest.mark.parametrize("name", ["friction_and_separation", "parameter_study"])
+def test_each_reason_for_doubt_stands_in_the_legend_once(name):
+    plain = stribeck(dimensions={"young_modulus": [1e7]})
+    wide = flagged(plain, "outside_half_space", speed=[27, 28])
+    figure = draw(name, flagged(wide, "inaccurate_separation", speed=[3, 4, 27]))
+    assert len(doubtful_lines(figure)) == 2
+    thin = [text for text in legend_texts(figure) if text.startswith("thin")]
+    assert thin == ["thin: no half-space", "thin: inaccurate"]
+
+
 def two_inputs(moduli=3, roughnesses=3):
     return stribeck(
         dimensions={

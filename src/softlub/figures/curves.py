@@ -62,10 +62,10 @@ def doubtful(flags: np.ndarray, variable: str) -> np.ndarray:
     return (np.asarray(flags) & sum(FLAGS[name] for name in _doubting(variable))) > 0
 
 
-def doubts(flags: np.ndarray, variable: str) -> str:
+def doubts(flags: np.ndarray, variable: str) -> list[str]:
     """What these flags say against a variable, for a legend."""
     words = [word for name, word in _doubting(variable).items() if (np.asarray(flags) & FLAGS[name]).any()]
-    return " or ".join(dict.fromkeys(words))
+    return list(dict.fromkeys(words))
 
 
 def attempted(dataset: xr.Dataset) -> np.ndarray:

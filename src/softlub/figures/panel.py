@@ -116,16 +116,19 @@ class Panel:
         sound = np.where(in_doubt, np.nan, y)
         (line,) = self.axes.plot(self.x.shown(x), self.y.shown(sound), label=legend or "_", **look)
         if flags is not None and (in_doubt & np.isfinite(y)).any():
-            why = doubts(flags, variable)
-            self._draw_doubtful(x, np.where(_with_neighbours(in_doubt), y, np.nan), why, look)
+            reasons = doubts(flags, variable)
+            self._draw_doubtful(x, np.where(_with_neighbours(in_doubt), y, np.nan), reasons, look)
         if legend:
             self.handles.append(line)
         return line
 
-    def _draw_doubtful(self, x: FloatArray, y: FloatArray, why: str, look: dict[str, Any]) -> None:
-        """The doubtful part of a curve, up to the sound points beside it, and its entry in the legend."""
+    def _draw_doubtful(
+        self, x: FloatArray, y: FloatArray, reasons: Sequence[str], look: dict[str, Any]
+    ) -> None:
+        """The doubtful part of a curve, up to the sound points beside it; each reason stands in the legend."""
         self.axes.plot(self.x.shown(x), self.y.shown(y), label="_", **look | PALE)
-        self._explain(Line2D([], [], color=style.BLACK, label=f"thin: {why}", **PALE))
+        for reason in reasons:
+            self._explain(Line2D([], [], color=style.BLACK, label=f"thin: {reason}", **PALE))
 
     def _explain(self, handle: Line2D) -> None:
         if not any(known.get_label() == handle.get_label() for known in self.handles):
