@@ -106,9 +106,10 @@ def test_the_estimated_error_follows_the_true_one():
     problem, speeds = random_problem(3)
     of = total_friction(problem)
     solver = Spectral()
+    contacts = solver.sweep(problem, speeds)
+    corrected, truth = solver.refined().correct(problem, contacts), Spectral(order=16).sweep(problem, speeds)
     coarse, finer, exact = (
-        np.array([of(contact) for contact in one.sweep(problem, speeds)])
-        for one in (solver, solver.refined(), Spectral(order=16))
+        np.array([of(contact) for contact in solved]) for solved in (contacts, corrected, truth)
     )
     true, estimated = np.abs(coarse - exact), np.abs(coarse - finer)
     assert np.all(true <= 3 * estimated + 1e-8)

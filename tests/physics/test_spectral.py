@@ -224,9 +224,11 @@ def test_contacts_of_other_solvers_are_not_corrected(default):
         Spectral().correct(PROBLEM, [default[2][1], other])
 
 
-def test_what_it_cannot_solve_is_refused():
+def test_what_it_cannot_solve_is_refused(default):
     conserving = replace(PROBLEM, lubricant=Lubricant(viscosity=0.1, cavitation="mass_conserving"))
     with pytest.raises(ValueError, match="mass_conserving"):
         Spectral().solve(conserving)
+    with pytest.raises(ValueError, match="mass_conserving"):
+        Spectral(10).correct(conserving, default[2])
     with pytest.raises(ValueError, match="positive"):
         Spectral().sweep(PROBLEM, [0.1, -1.0])

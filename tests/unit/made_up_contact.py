@@ -59,9 +59,14 @@ def contact(nodes=201, **changes):
 class Returning:
     """A solver that returns given contacts, one a speed, and remembers what it was asked."""
 
-    def __init__(self, *contacts):
+    def __init__(self, *contacts, order=8, finer=None):
         self.contacts = contacts
+        self.order = order
+        self.finer = finer
         self.asked = []
+
+    def refined(self):
+        return self.finer
 
     def sweep(self, problem, speeds):
         self.asked.append((problem.load, list(speeds)))

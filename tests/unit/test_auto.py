@@ -54,12 +54,15 @@ def test_a_single_point_falls_back_too():
     assert found.converged
 
 
-def test_only_the_unsolved_speeds_are_solved_again():
+def test_only_the_unsolved_speeds_are_solved_again_first_at_a_higher_order():
     first = [contact(solver="first", converged=good) for good in (True, False, True, False)]
-    second = Returning(contact(solver="second", speed=2.0), contact(solver="second", speed=4.0))
-    found = Auto(spectral=Returning(*first), finite_volume=second).sweep(problem(), [1.0, 2.0, 3.0, 4.0])
-    assert second.asked == [(100.0, [2.0, 4.0])]
-    assert [one.solver for one in found] == ["first", "second", "first", "second"]
+    finer = Returning(contact(solver="finer", converged=False), contact(solver="finer", speed=4.0))
+    second = Returning(contact(solver="second", speed=2.0))
+    auto = Auto(spectral=Returning(*first, finer=finer), finite_volume=second)
+    found = auto.sweep(problem(), [1.0, 2.0, 3.0, 4.0])
+    assert finer.asked == [(100.0, [2.0, 4.0])]
+    assert second.asked == [(100.0, [2.0])]
+    assert [one.solver for one in found] == ["first", "second", "first", "finer"]
     assert [one.speed for one in found[1::2]] == [2.0, 4.0]
 
 
@@ -70,7 +73,8 @@ def test_a_solved_sweep_asks_nobody_else():
 
 
 def test_a_point_that_both_leave_stays_flagged_with_the_first_iterate():
-    first = Returning(contact(solver="first", converged=False))
+    finer = Returning(contact(solver="finer", converged=False))
+    first = Returning(contact(solver="first", converged=False), finer=finer)
     second = Returning(contact(solver="second", converged=False))
     (found,) = Auto(spectral=first, finite_volume=second).sweep(problem(), [1.0])
     assert not found.converged
@@ -92,17 +96,21 @@ def test_both_solvers_are_refined():
     assert finer.finite_volume.nodes == 257
 
 
-def test_each_contact_is_corrected_by_the_solver_that_found_it():
-    first = Returning(contact(solver="spectral", iterations=1))
+def test_each_contact_is_corrected_by_a_finer_copy_of_the_solver_that_found_it():
+    finer = Returning(contact(iterations=4), order=12)
+    first = Returning(contact(iterations=1), order=10, finer=finer)
     second = Returning(contact(iterations=2), contact(iterations=3))
     asked = [
-        contact(solver=name, speed=speed)
-        for name, speed in (("finite_volume", 1.0), ("spectral", 2.0), ("finite_volume", 3.0))
+        contact(solver="finite_volume", speed=1.0),
+        contact(solver="spectral", speed=2.0, breaks=range(0, 81, 8)),
+        contact(solver="finite_volume", speed=3.0),
+        contact(solver="spectral", speed=4.0, breaks=range(0, 81, 10)),
     ]
     corrected = Auto(spectral=first, finite_volume=second).correct(problem(), asked)
     assert first.asked == [(100.0, [2.0])]
     assert second.asked == [(100.0, [1.0, 3.0])]
-    assert [one.iterations for one in corrected] == [2, 1, 3]
+    assert finer.asked == [(100.0, [4.0])]
+    assert [one.iterations for one in corrected] == [2, 1, 3, 4]
 
 
 def test_corrections_estimate_the_errors_of_both_solvers():

@@ -49,3 +49,20 @@ def test_flags_are_counted_where_they_are():
 def test_datasets_without_points_say_nothing():
     assert convergence(xr.Dataset()) == flagged(xr.Dataset()) == flag_meanings(xr.Dataset()) == ""
     assert failures(xr.Dataset()) == 0
+
+
+def test_nothing_asked_for_says_nothing():
+    dataset = points([FLAGS["not_attempted"]] * 3)
+    assert convergence(dataset) == ""
+    assert failures(dataset) == 0
+
+
+def test_bodies_not_asked_for_are_not_counted():
+    dataset = xr.Dataset(
+        {
+            "converged": ("load", [True, False]),
+            "flags": ("load", [0, FLAGS["not_attempted"]]),
+            "stop_reason": ("load", ["", ""]),
+        }
+    )
+    assert convergence(dataset) == "The body got to the end of its steps."

@@ -27,6 +27,8 @@ def convergence(dataset: xr.Dataset) -> str:
     if "stop_reason" in dataset:
         return _state_of_bodies(dataset)
     asked, failed = _asked(dataset), _failed(dataset)
+    if not bool(asked.any()):
+        return ""
     if not bool(failed.any()):
         return f"All {int(asked.sum())} points converged."
     counts = f"{int(failed.sum())} of {int(asked.sum())} points did not converge"
@@ -93,7 +95,7 @@ def _speeds(where: xr.DataArray) -> str:
 
 def _state_of_bodies(dataset: xr.Dataset) -> str:
     """How many finite-element bodies were taken through all of their steps, and which increments were given up."""
-    failed, count = failures(dataset), dataset["converged"].size
+    failed, count = failures(dataset), int(_asked(dataset).sum())
     cut = int(dataset["rejected_increments"].sum()) if "rejected_increments" in dataset else 0
     tried = f" {cut} increments that did not converge were tried again in smaller ones." if cut else ""
     tried += _too_wide(dataset)

@@ -1,10 +1,9 @@
-"""The default: spectral elements, and finite volumes for the points that those leave unsolved or cannot treat."""
+"""The default: spectral elements, then two orders more of them, then finite volumes for what is left or beyond them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import compress
 
 from softlub.lubrication.meshed_body import MeshedBody
 from softlub.lubrication.problem import Problem
@@ -15,9 +14,11 @@ from softlub.lubrication.solvers.spectral import Spectral
 
 @dataclass(frozen=True)
 class Auto:
-    """Spectral elements with finite volumes to fall back on.
+    """Spectral elements with higher orders and finite volumes to fall back on.
 
-    Mass-conserving films and meshed bodies go to the latter at once.
+    What one order leaves unsolved the one two above mostly solves, and far better than finite volumes would: such
+    points lie in deep boundary lubrication, with films of a nanometre. Mass-conserving films and meshed bodies go to
+    finite volumes at once.
 
     Parameters
     ----------
@@ -35,7 +36,7 @@ class Auto:
         ----------
         problem : Problem
         start : LubricatedContact, optional
-            A solution nearby.
+            A solution nearby, of use to finite volumes alone.
 
         Returns
         -------
@@ -43,8 +44,7 @@ class Auto:
         """
         if _beyond_spectral(problem):
             return self.finite_volume.solve(problem, start)
-        contact = self.spectral.solve(problem, start)
-        return contact if contact.converged else self.finite_volume.solve(problem)
+        return self.sweep(problem, [problem.speed])[0]
 
     def sweep(self, problem: Problem, speeds: Sequence[float]) -> list[LubricatedContact]:
         """Solve at every speed, continued along speed.
@@ -63,15 +63,17 @@ class Auto:
         if _beyond_spectral(problem):
             return self.finite_volume.sweep(problem, speeds)
         contacts = self.spectral.sweep(problem, speeds)
-        unsolved = [i for i, contact in enumerate(contacts) if not contact.converged]
-        if unsolved:
-            repairs = self.finite_volume.sweep(problem, [speeds[i] for i in unsolved])
+        for fallback in (self.spectral.refined(), self.finite_volume):
+            unsolved = [i for i, contact in enumerate(contacts) if not contact.converged]
+            if not unsolved:
+                break
+            repairs = fallback.sweep(problem, [speeds[i] for i in unsolved])
             for i, repair in zip(unsolved, repairs, strict=True):
                 contacts[i] = repair if repair.converged else contacts[i]
         return contacts
 
     def correct(self, problem: Problem, contacts: Sequence[LubricatedContact]) -> list[LubricatedContact]:
-        """Solve the points of given contacts on these grids, each by the solver that found it.
+        """Solve the points of given contacts on these grids or finer ones, each by the solver that found it.
 
         Parameters
         ----------
@@ -84,11 +86,19 @@ class Auto:
         list of LubricatedContact
             Contacts that are not converged as they are.
         """
-        spectral = [contact.solver == "spectral" for contact in contacts]
-        by_elements = iter(self.spectral.correct(problem, list(compress(contacts, spectral))))
-        others = [contact for contact, own in zip(contacts, spectral, strict=True) if not own]
-        by_volumes = iter(self.finite_volume.correct(problem, others))
-        return [next(by_elements if own else by_volumes) for own in spectral]
+        places: dict[Spectral | FiniteVolume, list[int]] = {}
+        for place, contact in enumerate(contacts):
+            places.setdefault(self._finer_than(contact), []).append(place)
+        corrected = list(contacts)
+        for solver, own in places.items():
+            for place, contact in zip(own, solver.correct(problem, [contacts[k] for k in own]), strict=True):
+                corrected[place] = contact
+        return corrected
+
+    def _finer_than(self, contact: LubricatedContact) -> Spectral | FiniteVolume:
+        if contact.solver != "spectral":
+            return self.finite_volume
+        return self.spectral if contact.breaks.step < self.spectral.order else self.spectral.refined()
 
     def refined(self) -> Auto:
         """The same on finer grids, whose difference estimates the error."""

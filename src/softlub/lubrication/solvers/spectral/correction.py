@@ -1,7 +1,7 @@
 """A solution taken to another polynomial order, on elements made for it alone: what its error is estimated by.
 
 A march's elements were made for a speed on the way and serve several; that error is seen only where others take their
-place. Begun at the solution, Newton's method needs a factor or two, where a march from a thick film needs many.
+place. Begun at the solution, Newton's method needs some two factors, where a march from a thick film needs many.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from softlub.lubrication.result import LubricatedContact
 from softlub.lubrication.solvers.spectral.basis import Basis, FloatArray, lobatto_basis
 from softlub.lubrication.solvers.spectral.equations import Scene, make_fields
 from softlub.lubrication.solvers.spectral.grid import transfer
-from softlub.lubrication.solvers.spectral.march import MAX_ELEMENTS, allowed_residual
+from softlub.lubrication.solvers.spectral.march import ACCEPTED, MAX_ELEMENTS, allowed_residual
 from softlub.lubrication.solvers.spectral.newton import make_workspace, newton
 from softlub.lubrication.solvers.spectral.outcome import RESIDUAL, STEPS, Outcome, record
 from softlub.lubrication.solvers.spectral.remesh import make_mesh, rupture_layer
@@ -82,6 +82,6 @@ def settle(
     state = transfer(states, start.breaks, rupture, start.basis, mesh.grid, scene.half_domain)[0]
     fields, work = make_fields(mesh.grid.nodes.size), make_workspace(mesh.grid.nodes.size)
     count, residual = newton(state, speed_number, mesh.grid, scene, basis.integration, fields, work, allowed)
-    if np.isfinite(residual) and is_film(fields.gap, basis):
+    if residual <= allowed * ACCEPTED and is_film(fields.gap, basis):
         record(row, state, speed_number, mesh, scene, basis, fields, outcome)
         outcome.numbers[row, STEPS], outcome.numbers[row, RESIDUAL] = count, residual

@@ -3,7 +3,7 @@
 There single nodes may lift off to many times the gap around them: their flow term (H - H_b)/H³ then vanishes, the
 polynomial through it still has the right integrals, and every residual is zero. Such a gap is no polynomial, which the
 tail of its Legendre coefficients tells. Over thousands of random contacts that tail was at most 0.3 at order 4, 0.05 at
-6, 0.013 at 8 and 0.002 at 10 where friction was right, and 0.3 to 6 at any order where nodes had lifted off.
+6, 0.014 at 8 and 0.002 at 10 where friction was right, and 0.3 to 6 at any order where nodes had lifted off.
 """
 
 from __future__ import annotations

@@ -135,26 +135,29 @@ class Spectral:
         Raises
         ------
         ValueError
-            If a contact is another solver's, whose nodes make no elements.
+            As in `solve`, and if a contact is another solver's, whose nodes make no elements.
         """
-        self._check_own(contacts)
         solved = [contact for contact in contacts if contact.converged]
+        if not solved:
+            return list(contacts)
         speeds = np.array([contact.speed for contact in solved])
+        self._check(problem, speeds)
+        self._check_own(solved)
         scene, hertz = hertz_scene(problem), problem.hertz
         outcome = make_outcome(len(solved), MAX_ELEMENTS, self.order)
         basis, rule = lobatto_basis(self.order), remainder_rule(self.order)
         for row, log_speed in enumerate(log_speed_numbers(problem, speeds)):
             start = known(solved[row], hertz, scene.half_domain, log_speed)
             settle(row, start, scene, basis, rule, self.tolerance, outcome)
-        corrected = iter(self._contacts(problem, speeds, outcome))
-        return [self._settled(problem, next(corrected)) if one.converged else one for one in contacts]
-
-    def _settled(self, problem: Problem, contact: LubricatedContact) -> LubricatedContact:
-        return contact if contact.converged else self.sweep(problem, [contact.speed])[0]
+        corrected = self._contacts(problem, speeds, outcome)
+        astray = [contact.speed for contact in corrected if not contact.converged]
+        swept = iter(self.sweep(problem, astray) if astray else ())
+        settled = iter([one if one.converged else next(swept) for one in corrected])
+        return [next(settled) if one.converged else one for one in contacts]
 
     @staticmethod
     def _check_own(contacts: Sequence[LubricatedContact]) -> None:
-        others = sorted({contact.solver for contact in contacts} - {"spectral"})
+        others = sorted({contact.solver for contact in contacts if not contact.breaks})
         if others:
             raise ValueError(
                 f"the spectral solver corrects its own contacts alone, not those of {', '.join(others)}; "
