@@ -12,6 +12,8 @@ from softlub.lubrication.friction import friction
 from softlub.lubrication.problem import HalfSpaceCylinder, Problem
 from softlub.lubrication.solvers.auto import Auto
 from softlub.lubrication.solvers.spectral import Spectral
+from softlub.lubrication.solvers.spectral.basis import lobatto_basis
+from softlub.lubrication.solvers.spectral.resolution import largest_tail, tail
 from softlub.references.dry_limit import real_contact_width
 from softlub.surfaces.spectrum import SelfAffine
 
@@ -141,6 +143,17 @@ def test_no_node_lifts_off_in_deep_boundary_lubrication(problem, speeds, solver)
         assert true.converged
         if contact.converged:
             assert real_width(contact, problem) == pytest.approx(real_width(true, problem), rel=1e-3)
+
+
+@pytest.mark.parametrize("order", [4, 6, 8, 10])
+def test_films_keep_far_below_the_tail_that_tells_lifted_nodes(order):
+    rng, basis, found = np.random.default_rng(20), lobatto_basis(order), []
+    for _ in range(40):
+        for contact in Spectral(order).sweep(random_scene(rng), np.geomspace(1e-5, 10, 9)):
+            if contact.converged:
+                found.append(tail(contact.separation[: contact.breaks[-1] + 1], basis))
+    assert len(found) > 150
+    assert max(found) < 0.5 * largest_tail(order)
 
 
 @pytest.mark.parametrize("speed", [1e-5, 1e-2, 10.0])

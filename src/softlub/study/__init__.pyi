@@ -1,0 +1,9 @@
+from .messages import StudyError as StudyError
+from .nodes import Node as Node
+from .nodes import Plan as Plan
+from .nodes import merge as merge
+from .parsed import Study as Study
+from .planning import plan as plan
+from .reader import load as load
+from .selection import select as select
+from .selection import study_files as study_files

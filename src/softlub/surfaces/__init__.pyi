@@ -1,0 +1,10 @@
+from .measured import read as read
+from .measured import read_profile as read_profile
+from .profile import Profile as Profile
+from .profile_synthesis import synthesize_profile as synthesize_profile
+from .spectrum import SelfAffine as SelfAffine
+from .spectrum import Smooth as Smooth
+from .statistics import describe as describe
+from .synthesis import synthesize as synthesize
+from .synthesis import synthesize_exponential as synthesize_exponential
+from .topography import Topography as Topography
